@@ -1,0 +1,15 @@
+# `cmake --install` and find_package(lookout).
+include(CMakePackageConfigHelpers)
+get_property(libraries GLOBAL PROPERTY LOOKOUT_LIBRARIES)
+install(TARGETS ${libraries} EXPORT lookout_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+foreach(folder core lcmtypes sonar_sim csht tracking fusion)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/lookout
+    FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+install(EXPORT lookout_targets NAMESPACE lookout:: FILE lookout_targets.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lookout)
+configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/lookout_config.cmake.in
+  ${PROJECT_BINARY_DIR}/lookout-config.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lookout)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/lookout-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/lookout-config.cmake ${PROJECT_BINARY_DIR}/lookout-config-version.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/FindLCM.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lookout)

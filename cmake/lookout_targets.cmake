@@ -1,0 +1,38 @@
+# The warnings, the language standard and the sanitizers of every target, in one place.
+add_library(lookout_warnings INTERFACE)
+target_compile_features(lookout_warnings INTERFACE cxx_std_20)
+target_compile_options(lookout_warnings INTERFACE -Wall -Wextra -Wconversion -Wpedantic)
+if(LOOKOUT_WERROR)
+  target_compile_options(lookout_warnings INTERFACE -Werror)
+endif()
+if(LOOKOUT_SANITIZE)
+  # g++'s vptr check crashes inside LCM's member-function subscribe.
+  target_compile_options(lookout_warnings INTERFACE -fsanitize=${LOOKOUT_SANITIZE} -fno-sanitize=vptr
+                         -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
+  target_link_options(lookout_warnings INTERFACE -fsanitize=${LOOKOUT_SANITIZE})
+endif()
+if(LOOKOUT_COVERAGE)
+  target_compile_options(lookout_warnings INTERFACE --coverage)
+  target_link_options(lookout_warnings INTERFACE --coverage)
+endif()
+
+# lookout_library(NAME SOURCES... ) declares the folder's library target lookout_NAME with alias lookout::NAME.
+function(lookout_library name)
+  add_library(lookout_${name} STATIC ${ARGN})
+  add_library(lookout::${name} ALIAS lookout_${name})
+  set_target_properties(lookout_${name} PROPERTIES EXPORT_NAME ${name})
+  target_link_libraries(lookout_${name} PRIVATE $<BUILD_INTERFACE:lookout_warnings>)
+  target_compile_features(lookout_${name} PUBLIC cxx_std_20)
+  target_include_directories(lookout_${name} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lookout>)
+  set_property(GLOBAL APPEND PROPERTY LOOKOUT_LIBRARIES lookout_${name})
+endfunction()
+
+# lookout_tests(NAME SOURCES...) declares the test program of one folder.
+function(lookout_tests name)
+  add_executable(${name}_tests ${ARGN})
+  target_link_libraries(${name}_tests PRIVATE lookout_warnings GTest::gtest_main)
+  target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${name}_tests PRIVATE LOOKOUT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 240)
+endfunction()

@@ -1,0 +1,86 @@
+#include "core/sonar_params.hpp"
+
+#include <cmath>
+
+#include "core/csv.hpp"
+#include "core/yaml_reader.hpp"
+
+namespace lookout::core {
+namespace {
+
+void read_degrees(const YamlMap& map, const std::string& key, double& value,
+                  const Range& range = kAnyNumber) {
+  if (const auto number = map.optional_number(key, range)) value = radians(*number);
+}
+
+void read_optional(const YamlMap& map, const std::string& key, std::optional<double>& value,
+                   const Range& range) {
+  if (const auto number = map.optional_number(key, range)) value = number;
+}
+
+}  // namespace
+
+double SonarParams::bearing_sigma_or_default() const {
+  return bearing_sigma.value_or(bearing_step / std::sqrt(12.0));
+}
+
+int SonarParams::beam_of(double bearing) const {
+  const double middle = 0.5 * (left_edge() + right_edge());
+  const double offset = wrap_to_pi(bearing - middle) + middle - left_edge();
+  const double beam = std::floor(offset / bearing_step);
+  return beam >= 0.0 && beam < num_beams ? static_cast<int>(beam) : -1;
+}
+
+void read_sonar_params(const YamlMap& map, SonarParams& params) {
+  params.num_beams = map.integer("num_beams", params.num_beams, {1, 30000});
+  read_degrees(map, "first_bearing_deg", params.first_bearing, {-360, 360});
+  read_degrees(map, "bearing_step_deg", params.bearing_step, {0, 360, true});
+  params.max_range = map.number("max_range", params.max_range, kPositive);
+  params.T_body_sonar.north = map.number("mount_x", params.T_body_sonar.north);
+  params.T_body_sonar.east = map.number("mount_y", params.T_body_sonar.east);
+  read_degrees(map, "mount_heading_deg", params.T_body_sonar.heading, {-360, 360});
+  params.range_sigma = map.number("range_sigma", params.range_sigma, kPositive);
+  if (const auto sigma = map.optional_number("bearing_sigma_deg", {0, 90, true}))
+    params.bearing_sigma = radians(*sigma);
+  params.max_speed = map.number("max_speed", params.max_speed, kPositive);
+  params.scan_period = map.number("scan_period", params.scan_period, kPositive);
+  read_optional(map, "miss_probability", params.miss_probability, kProbability);
+  read_optional(map, "false_alarm_probability", params.false_alarm_probability, kProbability);
+  read_optional(map, "clutter_per_scan", params.clutter_per_scan, kNotNegative);
+  if (map.has("clutter_per_scan") && map.has("false_alarm_probability"))
+    map.fail("clutter_per_scan", "excludes false_alarm_probability: give one of them");
+  // The kind of clutter that is given last wins, so that a recording can override a configuration.
+  if (map.has("clutter_per_scan")) params.false_alarm_probability.reset();
+  if (map.has("false_alarm_probability")) params.clutter_per_scan.reset();
+  if (params.num_beams * params.bearing_step > 2.0 * std::numbers::pi * (1.0 + 1e-9))
+    map.fail("num_beams", "num_beams x bearing_step_deg is above 360 degrees");
+  map.finish();
+}
+
+void read_sonar_params(const std::string& path, SonarParams& params) {
+  read_sonar_params(YamlMap::load_file(path), params);
+}
+
+std::string to_yaml(const SonarParams& params) {
+  std::string text;
+  const auto line = [&text](const std::string& key, double value) {
+    text += key + ": " + shortest(value) + "\n";
+  };
+  line("num_beams", params.num_beams);
+  line("first_bearing_deg", degrees(params.first_bearing));
+  line("bearing_step_deg", degrees(params.bearing_step));
+  line("max_range", params.max_range);
+  line("mount_x", params.T_body_sonar.north);
+  line("mount_y", params.T_body_sonar.east);
+  line("mount_heading_deg", degrees(params.T_body_sonar.heading));
+  line("range_sigma", params.range_sigma);
+  if (params.bearing_sigma) line("bearing_sigma_deg", degrees(*params.bearing_sigma));
+  line("max_speed", params.max_speed);
+  line("scan_period", params.scan_period);
+  if (params.miss_probability) line("miss_probability", *params.miss_probability);
+  if (params.false_alarm_probability) line("false_alarm_probability", *params.false_alarm_probability);
+  if (params.clutter_per_scan) line("clutter_per_scan", *params.clutter_per_scan);
+  return text;
+}
+
+}  // namespace lookout::core

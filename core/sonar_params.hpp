@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/frames.hpp"
+
+namespace lookout::core {
+
+class YamlMap;
+
+/// What is known of the sensor: geometry, accuracy and, where known, its probabilities. These are the keys of
+/// a recording's sonar.yaml and of the `sensor:` part of a configuration. Defaults: [Yan2018] Table 1.
+struct SonarParams {
+  int num_beams = 90;                             ///< >= 1.
+  double first_bearing = radians(-44.5);          ///< Centre of beam 0 [rad].
+  double bearing_step = radians(1.0);             ///< Beam spacing [rad], > 0.
+  double max_range = 150.0;                       ///< [m], > 0.
+  Pose2 T_body_sonar;                             ///< Mount: forward, starboard [m], heading [rad].
+  double range_sigma = 3.0;                       ///< Standard deviation of a range [m], > 0.
+  std::optional<double> bearing_sigma;            ///< [rad], > 0; absent: see `bearing_sigma_or_default`.
+  double max_speed = 3.0;                         ///< Fastest target over ground [m/s], > 0.
+  double scan_period = 0.5;                       ///< Nominal time between scans [s], > 0.
+  std::optional<double> miss_probability;         ///< P_M of a target in view, in [0, 1]; absent: estimated.
+  std::optional<double> false_alarm_probability;  ///< P_F of an empty beam, in [0, 1]; absent: estimated.
+  std::optional<double>
+      clutter_per_scan;  ///< Mean of Poisson clutter [1/scan], >= 0; a sensor without beams.
+
+  /// The given bearing sigma, or that of a uniform error over one beam, step / sqrt(12) [rad].
+  double bearing_sigma_or_default() const;
+  /// Whether false alarms are points of a Poisson law (any number of returns) rather than one return a beam.
+  bool point_sensor() const { return clutter_per_scan.has_value(); }
+  /// Bearings [rad] of the sector's two edges, half a step outside the outer beams' centres.
+  double left_edge() const { return first_bearing - 0.5 * bearing_step; }
+  double right_edge() const { return left_edge() + num_beams * bearing_step; }
+  /// The beam whose centre is nearest to `bearing`, or -1 outside the sector.
+  int beam_of(double bearing) const;
+  /// Centre of a beam [rad].
+  double beam_centre(int beam) const { return first_bearing + beam * bearing_step; }
+};
+
+/// Overrides `params` with the keys that `map` holds, and calls map.finish().
+/// @throws InputError on an unknown key, a value out of range, or clutter given in both ways.
+void read_sonar_params(const YamlMap& map, SonarParams& params);
+
+/// The same from a file.
+void read_sonar_params(const std::string& path, SonarParams& params);
+
+/// The params as the text of a sonar.yaml that `read_sonar_params` reads back to the same values.
+std::string to_yaml(const SonarParams& params);
+
+}  // namespace lookout::core

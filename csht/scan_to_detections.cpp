@@ -1,0 +1,28 @@
+#include "csht/scan_to_detections.hpp"
+
+#include <cmath>
+
+namespace lookout::csht {
+
+int scan_to_detections(const core::PosedScan& posed, int scan_index,
+                       std::vector<core::Detection>& detections) {
+  const core::SonarScan& scan = posed.scan;
+  const Eigen::Vector2d p_earth_sonar(posed.T_earth_sonar.north, posed.T_earth_sonar.east);
+  detections.clear();
+  for (const auto& echo : scan.returns) {
+    if (!std::isfinite(echo.bearing) || !(echo.range > 0.0 && echo.range <= scan.max_range)) continue;
+    core::Detection detection;
+    detection.utime = scan.utime;
+    detection.scan = scan_index;
+    detection.beam = static_cast<int>(std::lround((echo.bearing - scan.first_bearing) / scan.bearing_step));
+    detection.range = echo.range;
+    detection.bearing = echo.bearing;
+    detection.azimuth = core::wrap_to_pi(posed.T_earth_sonar.heading + echo.bearing);
+    detection.p_earth = core::transform(posed.T_earth_sonar, core::from_polar(echo.range, echo.bearing));
+    detection.p_earth_sonar = p_earth_sonar;
+    detections.push_back(detection);
+  }
+  return static_cast<int>(scan.returns.size() - detections.size());
+}
+
+}  // namespace lookout::csht

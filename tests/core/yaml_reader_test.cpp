@@ -1,0 +1,83 @@
+#include "core/yaml_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/input_error.hpp"
+
+namespace lookout::core {
+namespace {
+
+std::string error_of(const auto& action) {
+  try {
+    action();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(YamlReader, ReadsEachKind) {
+  const auto map =
+      YamlMap::load_text("a: 1.5\nb: 3\nc: yes\nd: word\ne: [1, 2]\nf: {g: 4}\nh: [{i: 5}]\n", "t.yaml");
+  EXPECT_DOUBLE_EQ(map.number("a", 0.0), 1.5);
+  EXPECT_EQ(map.integer("b", 0), 3);
+  EXPECT_TRUE(map.flag("c", false));
+  EXPECT_EQ(map.text("d", ""), "word");
+  EXPECT_EQ(map.numbers("e"), (std::vector<double>{1, 2}));
+  EXPECT_DOUBLE_EQ(map.map("f")->number("g", 0), 4.0);
+  EXPECT_DOUBLE_EQ(map.maps("h").at(0).number("i", 0), 5.0);
+  EXPECT_NO_THROW(map.finish());
+}
+
+TEST(YamlReader, AbsentKeysGiveTheFallback) {
+  const auto map = YamlMap::load_text("", "t.yaml");
+  EXPECT_DOUBLE_EQ(map.number("a", 2.0), 2.0);
+  EXPECT_FALSE(map.map("m"));
+  EXPECT_NO_THROW(map.finish());
+}
+
+TEST(YamlReader, UnknownKeyNamesLineColumnAndAcceptedKeys) {
+  const auto map = YamlMap::load_text("range: 5\nragne: 6\n", "t.yaml");
+  map.number("range", 0.0);
+  EXPECT_EQ(error_of([&] { map.finish(); }), "t.yaml:2:1: unknown key `ragne`, accepted: range");
+}
+
+TEST(YamlReader, ValueOfAnotherKindIsRefused) {
+  const auto map = YamlMap::load_text("range: 150m\n", "t.yaml");
+  EXPECT_EQ(error_of([&] { map.number("range", 0.0, kPositive); }),
+            "t.yaml:1:8: range: got `150m`, expected a number > 0");
+}
+
+TEST(YamlReader, ValueOutOfRangeIsRefused) {
+  const auto map = YamlMap::load_text("p: 1.5\nn: .nan\n", "t.yaml");
+  EXPECT_EQ(error_of([&] { map.number("p", 0.0, kProbability); }),
+            "t.yaml:1:4: p: got `1.5`, expected a number >= 0 <= 1");
+  EXPECT_NE(error_of([&] { map.number("n", 0.0); }).find("expected a finite number"), std::string::npos);
+}
+
+TEST(YamlReader, WholeNumberIsRequiredForIntegers) {
+  const auto map = YamlMap::load_text("n: 2.5\n", "t.yaml");
+  EXPECT_EQ(error_of([&] { map.integer("n", 0); }), "t.yaml:1:4: n: got `2.5`, expected a whole number");
+}
+
+TEST(YamlReader, BrokenYamlNamesTheLine) {
+  EXPECT_NE(error_of([] { YamlMap::load_text("a: [1, 2\nb: 3\n", "t.yaml"); }).find("t.yaml:2"),
+            std::string::npos);
+}
+
+TEST(YamlReader, DuplicateKeyAndMissingFileAreRefused) {
+  EXPECT_EQ(error_of([] { YamlMap::load_text("a: 1\na: 2\n", "t.yaml"); }),
+            "t.yaml:2:1: key `a` is given twice");
+  EXPECT_NE(error_of([] { YamlMap::load_file("/nowhere.yaml"); }).find("cannot be read"), std::string::npos);
+}
+
+TEST(YamlReader, ChoiceListsWhatIsAccepted) {
+  const auto map = YamlMap::load_text("clutter: heavy\n", "t.yaml");
+  EXPECT_EQ(error_of([&] {
+              map.choice("clutter", "literal", {"literal", "light"});
+            }),
+            "t.yaml:1:10: clutter: got `heavy`, expected one of: literal light");
+}
+
+}  // namespace
+}  // namespace lookout::core

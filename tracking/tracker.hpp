@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "core/motion_element.hpp"
+#include "core/sonar_scan.hpp"
+#include "core/track.hpp"
+
+namespace lookout::tracking {
+
+/// The front door of every tracker: one scan in, all its tracks at that scan out.
+class Tracker {
+ public:
+  virtual ~Tracker() = default;
+
+  /// Takes the next scan, later than all before it.
+  /// @return tentative, confirmed and coasting tracks at the scan's time; valid until the next call.
+  virtual std::span<const core::Track> update(const core::PosedScan& scan) = 0;
+
+  /// The motion elements that the estimator behind the tracker found in the newest window; empty where none
+  /// is used.
+  virtual std::span<const core::MotionElement> elements() const { return {}; }
+};
+
+}  // namespace lookout::tracking
