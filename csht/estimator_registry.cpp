@@ -1,0 +1,62 @@
+#include "csht/estimator_registry.hpp"
+
+#include <functional>
+#include <stdexcept>
+
+#include "core/yaml_reader.hpp"
+
+namespace lookout::csht {
+namespace {
+
+constexpr core::Range kWindowScans{3, 100};
+
+using Factory = std::function<std::unique_ptr<MotionEstimator>(const EstimatorParams&,
+                                                               const core::SonarParams&, std::uint64_t seed)>;
+
+struct Entry {
+  std::string name;
+  Factory make;
+};
+
+/// One line an estimator.
+const std::vector<Entry>& registry() {
+  static const std::vector<Entry> entries{};
+  return entries;
+}
+
+void validate(const EstimatorParams& params) {
+  if (params.window_scans < kWindowScans.min || params.window_scans > kWindowScans.max)
+    throw std::invalid_argument("window_scans must be 3 to 100, got " + std::to_string(params.window_scans));
+  if (params.first_estimate_scans < kWindowScans.min || params.first_estimate_scans > params.window_scans)
+    throw std::invalid_argument("first_estimate_scans must be 3 to window_scans, got " +
+                                std::to_string(params.first_estimate_scans));
+}
+
+}  // namespace
+
+void read_estimator_params(const core::YamlMap& map, EstimatorParams& params) {
+  params.name = map.choice("name", params.name, estimator_names());
+  params.window_scans = map.integer("window_scans", params.window_scans, kWindowScans);
+  const core::Range first_scans{kWindowScans.min, static_cast<double>(params.window_scans)};
+  params.first_estimate_scans = map.integer("first_estimate_scans", params.first_estimate_scans, first_scans);
+  map.finish();
+}
+
+std::vector<std::string> estimator_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : registry()) names.push_back(entry.name);
+  return names;
+}
+
+std::unique_ptr<MotionEstimator> make_estimator(const std::string& name, const EstimatorParams& params,
+                                                const core::SonarParams& sonar, std::uint64_t seed) {
+  validate(params);
+  for (const auto& entry : registry()) {
+    if (entry.name == name) return entry.make(params, sonar, seed);
+  }
+  std::string accepted;
+  for (const auto& known : estimator_names()) accepted += " " + known;
+  throw std::invalid_argument("estimator must be one of" + accepted + ", got `" + name + "`");
+}
+
+}  // namespace lookout::csht

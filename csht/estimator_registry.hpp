@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/sonar_params.hpp"
+#include "csht/motion_estimator.hpp"
+
+namespace lookout::core {
+class YamlMap;
+}
+
+namespace lookout::csht {
+
+/// What the estimates are for; methods keep one documented parameter set for each.
+enum class EstimatorUse {
+  tracking,  ///< A stream, targets come and go, confirmed tracks are offered back.
+  window     ///< One full window in which every target is present throughout ([Yan2018] Table 2).
+};
+
+/// What a user chooses of an estimator: the `estimator:` part of a configuration.
+struct EstimatorParams {
+  std::string name = "csht";                  ///< One of `estimator_names()`.
+  EstimatorUse use = EstimatorUse::tracking;  ///< Set by the program, not by the user.
+  int window_scans = 20;                      ///< Scans in a full window, 3 to 100. [Yan2018] W.
+  /// Scans that must be in the window before anything is estimated, 3 to `window_scans`. An experiment on
+  /// single windows sets it to `window_scans`, so that only the full window costs time.
+  int first_estimate_scans = 3;
+};
+
+/// Reads `name`, `window_scans` and `first_estimate_scans`, and calls map.finish().
+/// @throws core::InputError on an unknown key or name, or a value out of range.
+void read_estimator_params(const core::YamlMap& map, EstimatorParams& params);
+
+/// The names that `make_estimator` accepts, in the order in which they are shown to a user.
+std::vector<std::string> estimator_names();
+
+/// An estimator by name. It may use the sensor's geometry and accuracy; of the methods here only those that
+/// say so use the probabilities of `sonar`.
+/// @param seed of the methods that draw.
+/// @throws std::invalid_argument naming what is accepted: an unknown name or a parameter out of range.
+std::unique_ptr<MotionEstimator> make_estimator(const std::string& name, const EstimatorParams& params,
+                                                const core::SonarParams& sonar, std::uint64_t seed);
+
+}  // namespace lookout::csht
