@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "tracking/association/assignment.hpp"
+
+namespace lookout::tracking {
+
+/// Order and cut-off of the OSPA distance. Defaults: [Yan2018] Eq. (42).
+struct OspaParams {
+  double cutoff = 20.0;  ///< Largest distance that counts, and the price of a wrong count [m or m/s], > 0.
+  double order = 2.0;    ///< Order p, >= 1.
+};
+
+/// The OSPA distance of two sets and its parts: total^p = localization^p + cardinality^p.
+struct OspaResult {
+  double total = 0.0;
+  double localization = 0.0;
+  double cardinality = 0.0;
+  int num_truth = 0;
+  int num_tracks = 0;
+};
+
+/// Optimal sub-pattern assignment distance between two finite sets of points of the plane (positions or
+/// velocities), sets of hundreds included. [Schuhmacher2008] Eq. (3); [Yan2018] Eq. (42)-(46). Keeps its
+/// buffers.
+class Ospa {
+ public:
+  /// @throws std::invalid_argument on a cut-off <= 0 or an order < 1.
+  explicit Ospa(const OspaParams& params = {});
+
+  /// Both sets empty: 0; one empty: the cut-off, all of it cardinality.
+  OspaResult operator()(std::span<const Eigen::Vector2d> truth, std::span<const Eigen::Vector2d> estimate);
+
+  const OspaParams& params() const { return params_; }
+
+ private:
+  OspaParams params_;
+  AssignmentSolver solver_;
+  Eigen::MatrixXd cost_;
+};
+
+}  // namespace lookout::tracking
