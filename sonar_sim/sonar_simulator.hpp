@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "core/ground_truth.hpp"
+#include "core/pose_history.hpp"
+#include "core/random.hpp"
+#include "core/sonar_scan.hpp"
+#include "sonar_sim/scene.hpp"
+
+namespace lookout::sonar_sim {
+
+/// Everything that leaves one vehicle around one scan, in the order in which it arrives.
+struct SimulatedScan {
+  std::vector<core::VehicleState> states_before;  ///< Navigation reports that arrive before the scan.
+  core::SonarScan scan;
+  std::vector<core::VehicleState> states_after;  ///< Reports that arrive between this scan and the next.
+  core::GroundTruth truth;                       ///< All scheduled targets; `visible` at the true pose.
+  core::Pose2 T_earth_sonar;                     ///< True pose of the sonar, which no tracker is told.
+};
+
+/// The front door of the simulator: one platform of a scene, scan by scan.
+class SonarSimulator {
+ public:
+  /// How long before and after its scan a navigation report is made [s].
+  static constexpr double kReportOffset = 0.05;
+
+  /// @param run index of the Monte Carlo run; (seed, platform, run) alone fix every draw.
+  /// @param platform index into scene.platforms.
+  SonarSimulator(const Scene& scene, std::uint64_t seed, std::uint64_t run = 0, std::size_t platform = 0);
+
+  /// The next scan; nothing once the scene is over.
+  std::optional<SimulatedScan> next();
+
+  const Scene& scene() const { return scene_; }
+  const PlatformPlan& platform() const { return scene_.platforms[platform_index_]; }
+
+ private:
+  void report(double time);
+  std::vector<core::VehicleState> arrived_by(double time);
+  core::SonarScan make_scan(const core::GroundTruth& truth, const core::Pose2& T_earth_sonar);
+
+  struct Report {
+    double arrival = 0.0;  ///< [s]
+    core::VehicleState state;
+  };
+
+  Scene scene_;
+  std::size_t platform_index_;
+  VehicleMotion motion_;
+  core::Random random_;
+  core::Random navigation_random_;  ///< Of its own, so that navigation faults leave the echoes as they are.
+  std::deque<Report> reports_;      ///< On their way.
+  int index_ = 0;
+};
+
+}  // namespace lookout::sonar_sim

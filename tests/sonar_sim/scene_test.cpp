@@ -1,0 +1,102 @@
+#include "sonar_sim/scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "core/input_error.hpp"
+
+namespace lookout::sonar_sim {
+namespace {
+
+const std::string kScenarios = LOOKOUT_SOURCE_DIR "/tools/scenarios/";
+
+std::string error_of(const std::string& text) {
+  try {
+    parse_scene(text, "scene.yaml");
+  } catch (const core::InputError& error) {
+    return error.what();
+  }
+  return "no error";
+}
+
+TEST(Scene, EveryShippedSceneLoads) {
+  int scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kScenarios)) {
+    EXPECT_NO_THROW(load_scene(entry.path().string())) << entry.path();
+    ++scenes;
+  }
+  EXPECT_GE(scenes, 8);
+}
+
+TEST(Scene, TableSevenAsPrinted) {
+  const Scene scene = load_scene(kScenarios + "tracking_table7.yaml");
+  const PlatformPlan& platform = scene.platforms.at(0);
+  EXPECT_EQ(num_scans(scene, platform), 200);  // 100 s at 0.5 s
+  EXPECT_EQ(scene.targets.size(), 5u);
+  EXPECT_EQ(scene.targets[3].appear, 22.0);
+}
+
+TEST(Scene, TargetsOfTableSevenLeaveTheSectorEarly) {
+  // With the heading along the velocity targets 1, 3 and 4 leave the sector at 60.0, 52.0 and 82.0 s.
+  const Scene scene = load_scene(kScenarios + "tracking_table7.yaml");
+  const VehicleMotion motion(scene.platforms[0].vehicle);
+  const auto visible = [&](int id, double time) {
+    for (const auto& target : truth_at(scene, scene.platforms[0], motion, time).targets)
+      if (target.id == id) return target.visible;
+    return false;
+  };
+  EXPECT_TRUE(visible(1, 59.5));
+  EXPECT_FALSE(visible(1, 60.5));
+  EXPECT_TRUE(visible(3, 51.5));
+  EXPECT_FALSE(visible(3, 52.5));
+  EXPECT_TRUE(visible(4, 81.5));
+  EXPECT_FALSE(visible(4, 82.5));
+}
+
+TEST(Scene, MeanVisibleTargets) {
+  // Table 2: all three, always. Table 7, by hand from the times in view: (59 + 99 + 51 + 60 + 68) s of 100 s.
+  const Scene window = load_scene(kScenarios + "window_table2.yaml");
+  EXPECT_DOUBLE_EQ(mean_visible_targets(window, window.platforms[0]), 3.0);
+  const Scene tracking = load_scene(kScenarios + "tracking_table7.yaml");
+  EXPECT_NEAR(mean_visible_targets(tracking, tracking.platforms[0]), 3.37, 0.03);
+}
+
+TEST(Scene, LightClutterIsToldAsAnEquivalentRate) {
+  Scene scene = load_scene(kScenarios + "window_table2.yaml");
+  scene.platforms[0].sonar.clutter = ClutterReading::light;
+  // .3 / .7 * .7 * 3 / 87 by hand
+  EXPECT_NEAR(*known_params(scene, scene.platforms[0]).false_alarm_probability, 0.9 / 87.0, 1e-12);
+}
+
+TEST(Scene, SeveralVehicles) {
+  const Scene scene = parse_scene(
+      "duration: 5\nvehicles:\n"
+      "  - {channel_prefix: A_, node_id: 7, vehicle: {}, sonar: {miss_probability: 0, "
+      "false_alarm_probability: 0}}\n"
+      "  - {channel_prefix: B_, vehicle: {north: 5}, sonar: {miss_probability: 0, clutter_per_scan: 2}}\n",
+      "two");
+  ASSERT_EQ(scene.platforms.size(), 2u);
+  EXPECT_EQ(scene.platforms[0].node_id, 7);
+  EXPECT_EQ(scene.platforms[1].node_id, 2);
+  EXPECT_TRUE(scene.platforms[1].sonar.params.point_sensor());
+}
+
+TEST(Scene, ErrorsNamePlaceAndWhatIsAccepted) {
+  const std::string sonar = "sonar: {miss_probability: 0, false_alarm_probability: 0}\n";
+  EXPECT_EQ(error_of(sonar), "scene.yaml:1:1: duration: is missing, expected a number > 0 <= 1e+06");
+  EXPECT_NE(error_of("duration: 5\n" + sonar + "tragets: []\n").find("scene.yaml:3:1: unknown key `tragets`"),
+            std::string::npos);
+  EXPECT_NE(error_of("duration: -5\n" + sonar).find("scene.yaml:1:11: duration: got `-5`"),
+            std::string::npos);
+  EXPECT_NE(error_of("duration: 5\nsonar: {miss_probability: 0}\n").find("false_alarm_probability"),
+            std::string::npos);
+  EXPECT_NE(error_of("duration: 5\n" + sonar +
+                     "targets: [{id: 1, north: 0, east: 0}, {id: 1, north: 0, east: 0}]\n")
+                .find("id: is used twice"),
+            std::string::npos);
+  EXPECT_NE(error_of("duration: 5 s\n" + sonar).find("expected a number"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lookout::sonar_sim
