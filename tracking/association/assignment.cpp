@@ -5,7 +5,7 @@
 namespace lookout::tracking {
 
 // Rows and columns are numbered from 1 inside, column 0 being the root of the alternating tree.
-const std::vector<int>& AssignmentSolver::solve(const Eigen::MatrixXd& cost) {
+const std::vector<int>& AssignmentSolver::solve(const CostMatrix& cost) {
   const bool transposed = cost.rows() > cost.cols();
   const int n = static_cast<int>(transposed ? cost.cols() : cost.rows());
   const int m = static_cast<int>(transposed ? cost.rows() : cost.cols());
@@ -27,7 +27,7 @@ const std::vector<int>& AssignmentSolver::solve(const Eigen::MatrixXd& cost) {
   return column_of_row_;
 }
 
-void AssignmentSolver::augment(const Eigen::MatrixXd& cost, bool transposed, int row, int num_columns) {
+void AssignmentSolver::augment(const CostMatrix& cost, bool transposed, int row, int num_columns) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const auto size = static_cast<std::size_t>(num_columns) + 1;
   distance_.assign(size, kInfinity);

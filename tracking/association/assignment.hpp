@@ -10,12 +10,15 @@ namespace lookout::tracking {
 /// buffers, so that repeated use allocates nothing once warm.
 class AssignmentSolver {
  public:
+  /// A matrix or a block of a larger one, so that a caller can keep its storage.
+  using CostMatrix = Eigen::Ref<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
+
   /// Every row (where rows <= columns; else every column) is assigned. Costs must be finite.
   /// @return for each row its column, or -1; valid until the next call.
-  const std::vector<int>& solve(const Eigen::MatrixXd& cost);
+  const std::vector<int>& solve(const CostMatrix& cost);
 
  private:
-  void augment(const Eigen::MatrixXd& cost, bool transposed, int row, int num_columns);
+  void augment(const CostMatrix& cost, bool transposed, int row, int num_columns);
 
   std::vector<double> row_potential_, column_potential_, distance_;
   std::vector<int> row_of_column_, previous_column_, column_of_row_;

@@ -1,0 +1,64 @@
+#include "tracking/gnn_tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace lookout::tracking {
+namespace {
+
+/// A scan of the default sonar at the origin, heading north, with exact echoes of these points.
+core::PosedScan scan_of(int index, const std::vector<Eigen::Vector2d>& points) {
+  const core::SonarParams sonar;
+  core::PosedScan posed;
+  posed.scan.utime = 500'000 * static_cast<std::int64_t>(index);
+  posed.scan.sequence = index;
+  posed.scan.num_beams = sonar.num_beams;
+  posed.scan.first_bearing = sonar.first_bearing;
+  posed.scan.bearing_step = sonar.bearing_step;
+  posed.scan.max_range = sonar.max_range;
+  for (const auto& point : points)
+    posed.scan.returns.push_back({std::atan2(point.y(), point.x()), point.norm()});
+  return posed;
+}
+
+TEST(GnnTracker, ConfirmsOnTheMthEchoAndFollows) {
+  GnnTracker tracker({}, {});
+  for (int k = 0; k < 3; ++k)
+    ASSERT_EQ(tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}))[0].status, core::TrackStatus::tentative);
+  std::span<const core::Track> tracks;
+  for (int k = 3; k < 40; ++k) tracks = tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}));
+  ASSERT_EQ(tracks.size(), 1U);
+  EXPECT_EQ(tracks[0].id, 1);
+  EXPECT_NEAR(tracks[0].state(0), 50.0 + 0.5 * 39, 0.1);
+  EXPECT_NEAR(tracks[0].state(2), 1.0, 0.05);
+}
+
+TEST(GnnTracker, OneEchoMakesNoConfirmedTrack) {
+  GnnTracker tracker({}, {});
+  tracker.update(scan_of(0, {{50.0, 0.0}}));
+  std::span<const core::Track> tracks;
+  for (int k = 1; k < 6; ++k) tracks = tracker.update(scan_of(k, {}));
+  EXPECT_TRUE(tracks.empty());
+}
+
+TEST(GnnTracker, TwoTargetsKeepTheirIdentities) {
+  GnnTracker tracker({}, {});
+  std::span<const core::Track> tracks;
+  for (int k = 0; k < 30; ++k) tracks = tracker.update(scan_of(k, {{60.0, -20.0 + 0.5 * k}, {90.0, 20.0}}));
+  ASSERT_EQ(tracks.size(), 2U);
+  EXPECT_NEAR(tracks[0].state(1), -5.5, 0.5);
+  EXPECT_NEAR(tracks[1].state(1), 20.0, 0.5);
+}
+
+TEST(GnnTracker, RefusesParametersOutOfRange) {
+  GnnParams params;
+  params.gate_probability = 1.0;
+  EXPECT_THROW(GnnTracker(params, {}), std::invalid_argument);
+  params = {};
+  params.motion.acceleration_sigma = -1.0;
+  EXPECT_THROW(GnnTracker(params, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

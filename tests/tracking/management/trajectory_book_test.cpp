@@ -1,0 +1,51 @@
+#include "tracking/management/trajectory_book.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lookout::tracking {
+namespace {
+
+core::PosedScan scan_at(std::int64_t utime) {
+  core::PosedScan scan;
+  scan.scan.utime = utime;
+  return scan;
+}
+
+TEST(TrajectoryBook, IdentitiesAreNeverUsedAgain) {
+  TrajectoryBook book({});
+  book.begin(0, {50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
+  for (int k = 1; k <= 3; ++k) book.step(scan_at(k), {}, std::vector<char>(book.tracks().size(), 0));
+  ASSERT_TRUE(book.tracks().empty());
+  book.begin(4, {50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
+  EXPECT_EQ(book.tracks()[0].id, 2);
+}
+
+TEST(TrajectoryBook, KeepsTheOthersWhenOneEnds) {
+  TrajectoryBook book({});
+  for (const double north : {40.0, 60.0, 80.0})
+    book.begin(0, {north, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
+  for (int k = 1; k <= 2; ++k) book.step(scan_at(k), {}, {1, 0, 1});
+  ASSERT_EQ(book.tracks().size(), 2U);
+  EXPECT_EQ(book.tracks()[0].id, 1);
+  EXPECT_EQ(book.tracks()[1].id, 3);
+  EXPECT_EQ(book.life(1).hits(), 3);
+}
+
+TEST(TrajectoryBook, OutsideTheSectorATrackCoasts) {
+  TrajectoryBook book({});
+  book.begin(0, {-50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());  // behind the vehicle
+  book.step(scan_at(1), {}, {1});
+  ASSERT_EQ(book.tracks().size(), 1U);
+  EXPECT_EQ(book.tracks()[0].status, core::TrackStatus::coasting);
+}
+
+TEST(TrajectoryBook, PredictsFromScanToScan) {
+  TrajectoryBook book({});
+  book.predict_to(2'000'000, {});
+  book.begin(2'000'000, {50.0, 0.0, 1.0, 2.0}, Eigen::Matrix4d::Identity());
+  book.predict_to(3'500'000, {.acceleration_sigma = 0.0});
+  EXPECT_TRUE(book.tracks()[0].position().isApprox(Eigen::Vector2d(51.5, 3.0)));
+}
+
+}  // namespace
+}  // namespace lookout::tracking

@@ -1,0 +1,71 @@
+#include "tracking/management/track_life.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+#include "core/frames.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+void require_not_negative(const char* name, double value) {
+  if (!(value >= 0.0))
+    throw std::invalid_argument(std::string(name) + " must be >= 0, got " + std::to_string(value));
+}
+
+}  // namespace
+
+void TrackLifeParams::validate() const {
+  if (confirm_hits < 1)
+    throw std::invalid_argument("confirm_hits must be >= 1, got " + std::to_string(confirm_hits));
+  if (confirm_scans < confirm_hits)
+    throw std::invalid_argument("confirm_scans must be >= confirm_hits, got " +
+                                std::to_string(confirm_scans));
+  require_not_negative("max_misses", max_misses);
+  require_not_negative("first_misses", first_misses);
+  require_not_negative("misses_per_hit", misses_per_hit);
+  require_not_negative("coast_s", coast_s);
+}
+
+TrackLife::TrackLife(const TrackLifeParams& params, std::int64_t utime)
+    : status_(params.confirm_hits == 1 ? core::TrackStatus::confirmed : core::TrackStatus::tentative),
+      coasting_since_(utime) {}
+
+void TrackLife::step(const TrackLifeParams& params, const Evidence& evidence) {
+  ++age_;
+  if (evidence.supported) ++hits_;
+  // Outside the field of view silence says nothing.
+  if (evidence.supported)
+    misses_ = 0;
+  else if (evidence.in_view)
+    ++misses_;
+  if (status_ == core::TrackStatus::tentative)
+    step_tentative(params, evidence);
+  else
+    step_confirmed(params, evidence);
+}
+
+void TrackLife::step_tentative(const TrackLifeParams& params, const Evidence& evidence) {
+  const int scans_left = params.confirm_scans - (age_ + 1);
+  if (hits_ >= params.confirm_hits) status_ = core::TrackStatus::confirmed;
+  ended_ = !evidence.in_view || hits_ + scans_left < params.confirm_hits;
+}
+
+void TrackLife::step_confirmed(const TrackLifeParams& params, const Evidence& evidence) {
+  if (evidence.in_view) {
+    status_ = core::TrackStatus::confirmed;
+    ended_ = too_many_misses(params);
+    return;
+  }
+  if (status_ != core::TrackStatus::coasting) coasting_since_ = evidence.utime;
+  status_ = core::TrackStatus::coasting;
+  ended_ = core::seconds(evidence.utime - coasting_since_) >= params.coast_s;
+}
+
+bool TrackLife::too_many_misses(const TrackLifeParams& params) const {
+  const double allowed = params.first_misses + params.misses_per_hit * hits_;
+  return misses_ > std::min(params.max_misses, allowed);
+}
+
+}  // namespace lookout::tracking

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/track.hpp"
+
+namespace lookout::tracking {
+
+/// When a trajectory is confirmed, how long it survives without support, and how long it coasts.
+struct TrackLifeParams {
+  int confirm_hits = 1;         ///< Supported scans that confirm, M of N, >= 1; 1: at once.
+  int confirm_scans = 1;        ///< N: scans from the first within which they must come, >= confirm_hits.
+  double max_misses = 5.0;      ///< Most scans in view without support in a row, >= 0; a proven trajectory.
+  double first_misses = 1.0;    ///< The same of a trajectory without hits, >= 0.
+  double misses_per_hit = 0.2;  ///< What each hit adds to it, >= 0.
+  double coast_s = 10.0;  ///< How long a confirmed trajectory is kept outside the field of view [s], >= 0.
+
+  /// @throws std::invalid_argument naming the first value out of range.
+  void validate() const;
+};
+
+/// The stages of one trajectory: tentative, confirmed, coasting, ended.
+class TrackLife {
+ public:
+  /// What the newest scan says of the trajectory.
+  struct Evidence {
+    std::int64_t utime = 0;  ///< Of the scan [us].
+    bool supported = false;  ///< Something in the scan or the window belongs to it.
+    bool in_view = true;     ///< Its position is inside the sector and the range of the sonar.
+  };
+
+  /// Born at `utime` with one hit.
+  TrackLife(const TrackLifeParams& params, std::int64_t utime);
+
+  /// One call a scan after the one of birth.
+  void step(const TrackLifeParams& params, const Evidence& evidence);
+
+  core::TrackStatus status() const { return status_; }
+  bool ended() const { return ended_; }
+  int hits() const { return hits_; }
+  int misses() const { return misses_; }  ///< In a row.
+  int age() const { return age_; }        ///< Scans since birth.
+
+ private:
+  void step_tentative(const TrackLifeParams& params, const Evidence& evidence);
+  void step_confirmed(const TrackLifeParams& params, const Evidence& evidence);
+  bool too_many_misses(const TrackLifeParams& params) const;
+
+  core::TrackStatus status_;
+  bool ended_ = false;
+  int hits_ = 1;
+  int misses_ = 0;
+  int age_ = 0;
+  std::int64_t coasting_since_ = 0;
+};
+
+}  // namespace lookout::tracking

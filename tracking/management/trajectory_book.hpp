@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/sonar_params.hpp"
+#include "core/sonar_scan.hpp"
+#include "core/track.hpp"
+#include "tracking/management/track_life.hpp"
+#include "tracking/smoothing/constant_velocity_filter.hpp"
+
+namespace lookout::tracking {
+
+/// The living trajectories of one tracker: births with new identities, prediction to the next scan, ends.
+class TrajectoryBook {
+ public:
+  /// @throws std::invalid_argument on a life parameter out of range.
+  explicit TrajectoryBook(const TrackLifeParams& life);
+
+  /// Carries every trajectory to `utime` [us], not earlier than the last.
+  void predict_to(std::int64_t utime, const MotionModelParams& motion);
+
+  /// Tells every trajectory what the scan says of it and forgets those that end.
+  /// @param supported one entry a trajectory, in the order of `tracks`.
+  void step(const core::PosedScan& scan, const core::SonarParams& sonar, const std::vector<char>& supported);
+
+  /// Begins a trajectory at the book's time with a new identity, at the end of `tracks`.
+  void begin(std::int64_t utime, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance);
+
+  std::span<core::Track> tracks() { return tracks_; }
+  std::span<const core::Track> tracks() const { return tracks_; }
+  const TrackLife& life(std::size_t index) const { return lives_[index]; }
+
+ private:
+  TrackLifeParams params_;
+  std::vector<core::Track> tracks_;
+  std::vector<TrackLife> lives_;  ///< Of `tracks_`, index by index.
+  std::int64_t utime_ = 0;
+  std::int64_t next_id_ = 1;
+};
+
+}  // namespace lookout::tracking

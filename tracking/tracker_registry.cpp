@@ -1,0 +1,64 @@
+#include "tracking/tracker_registry.hpp"
+
+#include <stdexcept>
+
+#include "core/yaml_reader.hpp"
+#include "tracking/gnn_tracker.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+using Factory = std::unique_ptr<Tracker> (*)(const TrackerParams&, const core::SonarParams&,
+                                             const csht::EstimatorParams&, std::uint64_t seed);
+
+struct Entry {
+  const char* name;
+  Factory make;
+};
+
+std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::SonarParams& sonar,
+                                  const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
+  GnnParams gnn;
+  gnn.life.coast_s = params.coast_s;
+  return std::make_unique<GnnTracker>(gnn, sonar);
+}
+
+/// One line a tracker.
+constexpr Entry kRegistry[] = {
+    {"gnn", &make_gnn},
+};
+
+}  // namespace
+
+void read_tracker_params(const core::YamlMap& map, TrackerParams& params) {
+  params.name = map.choice("name", params.name, tracker_names());
+  params.coast_s = map.number("coast_s", params.coast_s, core::kNotNegative);
+  params.initiator = map.text("initiator", params.initiator);
+  map.finish();
+}
+
+void read_output_params(const core::YamlMap& map, TrackerParams& params) {
+  const auto threshold = map.optional_number("min_existence", core::kProbability);
+  params.report_all = params.report_all || threshold.has_value();
+  params.min_existence = threshold.value_or(params.min_existence);
+  map.finish();
+}
+
+std::vector<std::string> tracker_names() {
+  std::vector<std::string> names;
+  for (const auto& entry : kRegistry) names.emplace_back(entry.name);
+  return names;
+}
+
+std::unique_ptr<Tracker> make_tracker(const std::string& name, const TrackerParams& params,
+                                      const core::SonarParams& sonar, const csht::EstimatorParams& estimator,
+                                      std::uint64_t seed) {
+  std::string accepted;
+  for (const auto& entry : kRegistry) {
+    if (entry.name == name) return entry.make(params, sonar, estimator, seed);
+    accepted += std::string(" ") + entry.name;
+  }
+  throw std::invalid_argument("tracker must be one of" + accepted + ", got `" + name + "`");
+}
+
+}  // namespace lookout::tracking

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/sonar_params.hpp"
+#include "csht/estimator_registry.hpp"
+#include "tracking/tracker.hpp"
+
+namespace lookout::core {
+class YamlMap;
+}
+
+namespace lookout::tracking {
+
+/// What a user chooses of a tracker: the `tracker:` and `output:` parts of a configuration.
+struct TrackerParams {
+  std::string name = "csht";   ///< One of `tracker_names()`.
+  double coast_s = 10.0;       ///< How long a track is kept outside the field of view [s], >= 0.
+  std::string initiator;       ///< Where births come from; empty: the tracker's own method.
+  double min_existence = 0.5;  ///< Existence from which a track may be confirmed, in [0, 1].
+  bool report_all = false;  ///< Report every track above `min_existence`, not the set of least expected OSPA.
+};
+
+/// Reads `name`, `coast_s` and `initiator` of `tracker:`, and calls map.finish().
+/// @throws core::InputError on an unknown key or name, or a value out of range.
+void read_tracker_params(const core::YamlMap& map, TrackerParams& params);
+
+/// Reads `min_existence` of `output:`, and calls map.finish(). A threshold that is given asks for every track
+/// above it. @throws core::InputError on an unknown key or a value out of range.
+void read_output_params(const core::YamlMap& map, TrackerParams& params);
+
+/// The names that `make_tracker` accepts, in the order in which they are shown to a user.
+std::vector<std::string> tracker_names();
+
+/// A tracker by name.
+/// @param estimator of the trackers that are driven by one; the others ignore it.
+/// @param seed of the trackers that draw.
+/// @throws std::invalid_argument naming what is accepted: an unknown name or a parameter out of range.
+std::unique_ptr<Tracker> make_tracker(const std::string& name, const TrackerParams& params,
+                                      const core::SonarParams& sonar, const csht::EstimatorParams& estimator,
+                                      std::uint64_t seed);
+
+}  // namespace lookout::tracking
