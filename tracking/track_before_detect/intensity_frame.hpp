@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace lookout::tracking {
+
+/// One image of non-negative intensities. Cell (column, row) covers [column, column + 1) x [row, row + 1), so
+/// that its centre lies at .5.
+struct IntensityFrame {
+  int columns = 0;
+  int rows = 0;
+  std::vector<double> values;  ///< columns * rows intensities; element row * columns + column.
+  double noise_level = 1.0;    ///< What the empty cells hold typically, > 0.
+
+  std::size_t index(int column, int row) const {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  double at(int column, int row) const { return values[index(column, row)]; }
+};
+
+/// @throws std::invalid_argument where the size disagrees with the values, a value is negative or not finite
+/// (its cell is named) or the noise level is not positive.
+void check_frame(const IntensityFrame& frame);
+
+/// Median of the values (of a copy); 0 of none.
+double median_of(std::vector<double> values);
+
+/// Displayed-cell threshold: the noise level raised by `decibels` (10 log10). [Pakfiliz2018] section on DCT.
+double displayed_threshold(double noise_level, double decibels);
+
+/// The cells above the displayed-cell threshold.
+struct DisplayedCell {
+  int column = 0;
+  int row = 0;
+  double intensity = 0.0;
+};
+
+/// Overwrites `cells` with the displayed cells of the window [first_column, last_column) x [first_row,
+/// last_row), in row order; every `row_step`-th row alone.
+struct CellWindow {
+  int first_column = 0, last_column = 0;
+  int first_row = 0, last_row = 0;
+  bool contains(int column, int row) const {
+    return column >= first_column && column < last_column && row >= first_row && row < last_row;
+  }
+  int columns() const { return last_column - first_column; }
+  int rows() const { return last_row - first_row; }
+};
+void collect_displayed(const IntensityFrame& frame, double threshold, const CellWindow& window, int row_step,
+                       std::vector<DisplayedCell>& cells);
+
+}  // namespace lookout::tracking
