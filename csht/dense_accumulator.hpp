@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "csht/line_grid.hpp"
+#include "csht/peak_extraction.hpp"
+
+namespace lookout::csht {
+
+/// Unit votes for every cell of a line grid, for methods that vote in each column. Two bytes a cell.
+class DenseAccumulator {
+ public:
+  /// Takes the size of `grid` and forgets all votes; the memory is kept and only ever grows.
+  void reset(const LineGrid& grid);
+
+  /// One vote of a point with rho(theta) for the column of theta; off the grid it is left out.
+  void vote(const LineGrid& grid, const LineCell& cell) {
+    if (cell.rho >= 0 && cell.rho < grid.num_rho()) ++votes_[static_cast<std::size_t>(grid.index(cell))];
+  }
+  int votes(const LineGrid& grid, const LineCell& cell) const {
+    return votes_[static_cast<std::size_t>(grid.index(cell))];
+  }
+  int most() const;  ///< Votes of the fullest cell, 0 where nothing voted.
+  /// All cells of at least `least` votes, appended to `found` in the order of the grid.
+  void collect(const LineGrid& grid, int least, std::vector<LineVote>& found) const;
+
+ private:
+  std::vector<std::uint16_t> votes_;
+};
+
+/// Every point votes once in every column, [Fan2018] section II. cos and sin of the columns are kept between
+/// calls.
+class ColumnVoting {
+ public:
+  void vote(const LineGrid& grid, const Eigen::Vector2d& p, DenseAccumulator& votes);
+
+ private:
+  std::vector<Eigen::Vector2d> normals_;
+};
+
+}  // namespace lookout::csht
