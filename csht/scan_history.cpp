@@ -1,0 +1,51 @@
+#include "csht/scan_history.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+
+ScanHistory::ScanHistory(const SensorFigures& figures, const SensorModelParams& model, int capacity)
+    : figures_(figures), model_(model) {
+  validate(figures);
+  validate(model);
+  if (capacity < 1) throw std::invalid_argument("capacity must be >= 1, got " + std::to_string(capacity));
+  tables_.resize(static_cast<std::size_t>(capacity));
+}
+
+int ScanHistory::push(const core::PosedScan& scan) {
+  newest_ = (newest_ + 1) % capacity();
+  size_ = std::min(size_ + 1, capacity());
+  ++pushed_;
+  ScanTable& table = tables_[static_cast<std::size_t>(newest_)];
+  const int left_out = fill_scan_table(scan, table);
+  csht::set_figures(figures_, model_, table);
+  return left_out;
+}
+
+const ScanTable& ScanHistory::at_age(int age) const {
+  assert(age >= 0 && age < size_);
+  return tables_[static_cast<std::size_t>((newest_ - age + capacity()) % capacity())];
+}
+
+double ScanHistory::seconds_at_age(int age) const {
+  return core::seconds(at_age(age).utime - newest().utime);
+}
+
+void ScanHistory::set_figures(const SensorFigures& figures) {
+  validate(figures);
+  figures_ = figures;
+  for (int age = 0; age < size_; ++age) {
+    ScanTable& table = tables_[static_cast<std::size_t>((newest_ - age + capacity()) % capacity())];
+    csht::set_figures(figures_, model_, table);
+  }
+}
+
+void ScanHistory::clear() {
+  size_ = 0;
+  newest_ = -1;
+}
+
+}  // namespace lookout::csht

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/detection.hpp"
+#include "core/sonar_scan.hpp"
+#include "csht/sensor_model.hpp"
+
+namespace lookout::csht {
+
+/// One scan laid out for the likelihood: where the sonar was and, beam by beam, what it returned. Arrays over
+/// beams have one slot more at either end (slot = beam + 1): outside the sector nothing is learnt; where the
+/// sector is the whole circle, the slots repeat the beams across the seam.
+struct ScanTable {
+  std::int64_t utime = 0;
+  core::Pose2 T_earth_sonar;
+  double axis = 0.0;                      ///< Azimuth of the middle of the sector [rad].
+  double cos_axis = 1.0, sin_axis = 0.0;  ///< Of `axis`.
+  double first_bearing = 0.0;             ///< Centre of beam 0 in the sonar frame [rad].
+  double bearing_step = 0.0;              ///< [rad].
+  double max_range = 0.0;                 ///< [m].
+  int num_beams = 0;
+  bool whole_circle = false;  ///< The sector closes on itself.
+  ClutterModel clutter = ClutterModel::exclusive_beam;
+  std::vector<core::Detection> detections;  ///< The valid returns, placed in the earth frame.
+
+  /// Likelihood ratio of a slot: base + gain exp(-(r - range)^2 / (2 sigma^2)). A silent slot has its range
+  /// far away.
+  std::vector<float> range;
+  std::vector<float> base;
+  float gain = 0.0F;
+  float inverse_sigma = 0.0F;  ///< [1/m].
+  /// point alone: bearing of each detection from `axis` [rad].
+  std::vector<float> bearing_from_axis;
+  float inverse_bearing_sigma = 0.0F;  ///< [1/rad].
+  float half_sector = 0.0F;            ///< Beyond it from `axis` nothing is seen [rad].
+  float edge_softness = 0.1F;          ///< In beams.
+
+  bool silent(int beam) const { return range[static_cast<std::size_t>(beam) + 1] < 0.0F; }
+};
+
+/// Fills `table` from a scan; its buffers are kept, so that a warm caller allocates nothing. Two returns of
+/// one beam: the nearer is taken.
+/// @return how many returns were left out as impossible.
+int fill_scan_table(const core::PosedScan& scan, ScanTable& table);
+
+/// Writes the figures into a filled table: what an echo, a silence and a foreign echo are worth.
+void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table);
+
+}  // namespace lookout::csht

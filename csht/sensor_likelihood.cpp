@@ -1,0 +1,235 @@
+#include "csht/sensor_likelihood.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "csht/fast_math.hpp"
+
+// One more copy of the hot loops for processors with 256-bit vectors, chosen when the program is loaded. It
+// has no fused multiply-add, so both copies give the same bits. Sanitizers do not bear such functions.
+#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#define LOOKOUT_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
+#else
+#define LOOKOUT_VECTOR_CLONES
+#endif
+
+namespace lookout::csht {
+namespace {
+
+constexpr std::size_t kBlock = 64;  // Hypotheses at a time: the block's arrays stay in the first cache.
+using Lane = std::array<float, kBlock>;
+
+// A slot's likelihood ratio as loaded for each hypothesis.
+struct SlotLanes {
+  Lane range, base, mask_range, mask_share, mask_nearer;
+};
+
+struct Block {
+  Lane range;    // From the sonar [m].
+  Lane bearing;  // From the sector's middle [rad].
+  Lane seen;     // 1 within the maximum range, else 0.
+  Lane weight;   // Of the neighbour slot in the mixture at a beam edge.
+  std::array<int, kBlock> slot, neighbour;
+  SlotLanes own, other;
+  Lane ratio;
+};
+
+LOOKOUT_VECTOR_CLONES
+void place(const ScanTable& scan, const HypothesisSpan& h, std::size_t first, std::size_t count,
+           double seconds, Block& b) {
+  const double north0 = scan.T_earth_sonar.north, east0 = scan.T_earth_sonar.east;
+  const auto c = static_cast<float>(scan.cos_axis), s = static_cast<float>(scan.sin_axis);
+  const double* north = h.north.data() + first;
+  const double* east = h.east.data() + first;
+  const double* north_velocity = h.north_velocity.data() + first;
+  const double* east_velocity = h.east_velocity.data() + first;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto dn = static_cast<float>(north[i] + north_velocity[i] * seconds - north0);
+    const auto de = static_cast<float>(east[i] + east_velocity[i] * seconds - east0);
+    b.range[i] = std::sqrt(dn * dn + de * de);
+    b.bearing[i] = fast_atan2(c * de - s * dn, c * dn + s * de);
+  }
+}
+
+// The slot of each hypothesis, the neighbour across its nearer edge, and the neighbour's weight: 1/2 at the
+// edge, falling linearly to 0 at edge_softness. Out of range or sector: slot 0 of a sector, which says
+// nothing.
+LOOKOUT_VECTOR_CLONES
+void find_slots(const ScanTable& scan, std::size_t count, Block& b) {
+  const auto inverse_step = static_cast<float>(1.0 / scan.bearing_step);
+  const auto max_range = static_cast<float>(scan.max_range);
+  const float middle = 0.5F * static_cast<float>(scan.num_beams) + 1.0F;
+  const float last = static_cast<float>(scan.num_beams) + 1.5F;
+  const float inverse_softness = 0.5F / scan.edge_softness;
+  for (std::size_t i = 0; i < count; ++i) {
+    float beam = b.bearing[i] * inverse_step + middle;
+    beam = beam < 0.5F ? 0.5F : beam;
+    beam = beam > last ? last : beam;
+    const int slot = static_cast<int>(beam);
+    const float inside = beam - static_cast<float>(slot);
+    const float edge = inside < 0.5F ? inside : 1.0F - inside;
+    const float weight = 0.5F - edge * inverse_softness;
+    b.slot[i] = slot;
+    b.neighbour[i] = inside < 0.5F ? slot - 1 : slot + 1;
+    b.weight[i] = weight > 0.0F ? weight : 0.0F;
+    b.seen[i] = b.range[i] <= max_range ? 1.0F : 0.0F;
+  }
+}
+
+template <bool kMasked>
+void load(const ScanTable& scan, const BeamMask* mask, const std::array<int, kBlock>& slots,
+          std::size_t count, SlotLanes& lanes) {
+  const int last = scan.num_beams + 1;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto slot = static_cast<std::size_t>(std::clamp(slots[i], 0, last));
+    lanes.range[i] = scan.range[slot];
+    lanes.base[i] = scan.base[slot];
+    if constexpr (kMasked) {
+      lanes.mask_range[i] = mask->range[slot];
+      lanes.mask_share[i] = mask->share[slot];
+      lanes.mask_nearer[i] = mask->nearer[slot];
+    }
+  }
+}
+
+inline __attribute__((always_inline)) float slot_ratio(const ScanTable& scan, const SlotLanes& lanes,
+                                                       float range, std::size_t i) {
+  const float offset = (range - lanes.range[i]) * scan.inverse_sigma;
+  return lanes.base[i] + scan.gain * fast_exp(-0.5F * offset * offset);
+}
+
+inline __attribute__((always_inline)) float masked(const SlotLanes& lanes, float ratio, float range,
+                                                   std::size_t i) {
+  const float share = lanes.mask_share[i];
+  return range > lanes.mask_range[i] ? share + (1.0F - share) * ratio : ratio * lanes.mask_nearer[i];
+}
+
+inline __attribute__((always_inline)) void accumulate(std::size_t count, const Block& b, double* log_ratio) {
+  for (std::size_t i = 0; i < count; ++i) log_ratio[i] += static_cast<double>(fast_log(b.ratio[i]));
+}
+
+LOOKOUT_VECTOR_CLONES
+void score_free(const ScanTable& scan, std::size_t count, Block& b, double* log_ratio) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float own = slot_ratio(scan, b.own, b.range[i], i);
+    const float other = slot_ratio(scan, b.other, b.range[i], i);
+    const float mixed = own + b.weight[i] * (other - own);
+    b.ratio[i] = b.seen[i] > 0.5F ? mixed : 1.0F;
+  }
+  accumulate(count, b, log_ratio);
+}
+
+LOOKOUT_VECTOR_CLONES
+void score_masked(const ScanTable& scan, std::size_t count, Block& b, double* log_ratio) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const float own = masked(b.own, slot_ratio(scan, b.own, b.range[i], i), b.range[i], i);
+    const float other = masked(b.other, slot_ratio(scan, b.other, b.range[i], i), b.range[i], i);
+    const float mixed = own + b.weight[i] * (other - own);
+    b.ratio[i] = b.seen[i] > 0.5F ? mixed : 1.0F;
+  }
+  accumulate(count, b, log_ratio);
+}
+
+LOOKOUT_VECTOR_CLONES
+void score_point(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b,
+                 double* log_ratio) {
+  constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
+  const auto max_range = static_cast<float>(scan.max_range);
+  for (std::size_t i = 0; i < count; ++i) b.ratio[i] = scan.base[1];
+  for (std::size_t j = 0; j < scan.detections.size(); ++j) {
+    const float gain = mask == nullptr ? scan.gain : scan.gain * (1.0F - mask->share[j]);
+    const auto range = static_cast<float>(scan.detections[j].range);
+    const float bearing = scan.bearing_from_axis[j];
+    for (std::size_t i = 0; i < count; ++i) {
+      float turn = b.bearing[i] - bearing;
+      turn = turn > 0.5F * kTurn ? turn - kTurn : turn;
+      turn = turn < -0.5F * kTurn ? turn + kTurn : turn;
+      const float dr = (b.range[i] - range) * scan.inverse_sigma;
+      const float db = turn * scan.inverse_bearing_sigma;
+      b.ratio[i] += gain * fast_exp(-0.5F * (dr * dr + db * db));
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const float off = b.bearing[i] < 0.0F ? -b.bearing[i] : b.bearing[i];
+    const float inside = off <= scan.half_sector ? b.ratio[i] : 1.0F;
+    b.ratio[i] = b.range[i] <= max_range ? inside : 1.0F;
+  }
+  accumulate(count, b, log_ratio);
+}
+
+void score_beams(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b,
+                 double* log_ratio) {
+  find_slots(scan, count, b);
+  if (mask == nullptr) {
+    load<false>(scan, mask, b.slot, count, b.own);
+    load<false>(scan, mask, b.neighbour, count, b.other);
+    score_free(scan, count, b, log_ratio);
+  } else {
+    load<true>(scan, mask, b.slot, count, b.own);
+    load<true>(scan, mask, b.neighbour, count, b.other);
+    score_masked(scan, count, b, log_ratio);
+  }
+}
+
+double plain_slot_ratio(const ScanTable& scan, const BeamMask* mask, int slot_index, double range) {
+  const auto slot = static_cast<std::size_t>(std::clamp(slot_index, 0, scan.num_beams + 1));
+  const double offset = (range - scan.range[slot]) * scan.inverse_sigma;
+  const double ratio = scan.base[slot] + scan.gain * std::exp(-0.5 * offset * offset);
+  if (mask == nullptr) return ratio;
+  const double share = mask->share[slot];
+  return range > mask->range[slot] ? share + (1.0 - share) * ratio : ratio * mask->nearer[slot];
+}
+
+double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, double range, double bearing) {
+  const double beam =
+      std::clamp(bearing / scan.bearing_step + 0.5 * scan.num_beams + 1.0, 0.5, scan.num_beams + 1.5);
+  const int slot = static_cast<int>(beam);
+  const double inside = beam - slot;
+  const double edge = std::min(inside, 1.0 - inside);
+  const double weight = std::max(0.0, 0.5 - 0.5 * edge / scan.edge_softness);
+  const int neighbour = inside < 0.5 ? slot - 1 : slot + 1;
+  return (1.0 - weight) * plain_slot_ratio(scan, mask, slot, range) +
+         weight * plain_slot_ratio(scan, mask, neighbour, range);
+}
+
+double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, double range, double bearing) {
+  double ratio = scan.base[1];
+  for (std::size_t j = 0; j < scan.detections.size(); ++j) {
+    const double dr = (range - scan.detections[j].range) * scan.inverse_sigma;
+    const double db = core::wrap_to_pi(bearing - scan.bearing_from_axis[j]) * scan.inverse_bearing_sigma;
+    const double weight = mask == nullptr ? 1.0 : 1.0 - mask->share[j];
+    ratio += weight * scan.gain * std::exp(-0.5 * (dr * dr + db * db));
+  }
+  return std::abs(bearing) <= scan.half_sector ? ratio : 1.0;
+}
+
+}  // namespace
+
+void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
+                   double seconds, std::span<double> log_ratio) {
+  if (mask != nullptr && mask->empty) mask = nullptr;
+  Block block;
+  for (std::size_t first = 0; first < hypotheses.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, hypotheses.size() - first);
+    place(scan, hypotheses, first, count, seconds, block);
+    if (scan.clutter == ClutterModel::point)
+      score_point(scan, mask, count, block, log_ratio.data() + first);
+    else
+      score_beams(scan, mask, count, block, log_ratio.data() + first);
+  }
+}
+
+double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vector2d& p_earth) {
+  if (mask != nullptr && mask->empty) mask = nullptr;
+  const double dn = p_earth.x() - scan.T_earth_sonar.north, de = p_earth.y() - scan.T_earth_sonar.east;
+  const double range = std::hypot(dn, de);
+  if (range > scan.max_range) return 0.0;
+  const double bearing = core::wrap_to_pi(std::atan2(de, dn) - scan.axis);
+  const double ratio = scan.clutter == ClutterModel::point ? plain_point_ratio(scan, mask, range, bearing)
+                                                           : plain_beam_ratio(scan, mask, range, bearing);
+  return std::log(ratio);
+}
+
+}  // namespace lookout::csht

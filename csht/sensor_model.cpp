@@ -1,0 +1,63 @@
+#include "csht/sensor_model.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+namespace {
+
+constexpr double kLeastProbability = 0.005;  // A silence or an echo then weighs at most ln 200 = 5.3 nats.
+constexpr double kLeastClutter = 0.01;       // Returns a scan.
+
+double away_from_certainty(double probability) {
+  return std::clamp(probability, kLeastProbability, 1.0 - kLeastProbability);
+}
+
+void require(bool holds, const char* what, double value) {
+  if (!holds) throw std::invalid_argument(std::string(what) + ", got " + std::to_string(value));
+}
+
+}  // namespace
+
+SensorFigures figures_of(const core::SonarParams& params) {
+  SensorFigures figures;
+  figures.miss_probability = away_from_certainty(params.miss_probability.value_or(figures.miss_probability));
+  figures.false_alarm_probability =
+      away_from_certainty(params.false_alarm_probability.value_or(figures.false_alarm_probability));
+  figures.clutter_per_scan =
+      std::max(kLeastClutter, params.clutter_per_scan.value_or(figures.clutter_per_scan));
+  figures.range_sigma = params.range_sigma;
+  figures.bearing_sigma = params.bearing_sigma_or_default();
+  return figures;
+}
+
+ClutterModel clutter_model_of(const core::SonarParams& params) {
+  return params.point_sensor() ? ClutterModel::point : ClutterModel::exclusive_beam;
+}
+
+double light_false_alarm_probability(const core::SonarParams& params, double mean_targets) {
+  const SensorFigures figures = figures_of(params);
+  const double odds = figures.false_alarm_probability / (1.0 - figures.false_alarm_probability);
+  const double free_beams = params.num_beams - mean_targets;
+  return away_from_certainty(odds * (1.0 - figures.miss_probability) * mean_targets / free_beams);
+}
+
+void validate(const SensorFigures& figures) {
+  require(figures.miss_probability > 0.0 && figures.miss_probability < 1.0,
+          "miss_probability must be in (0, 1)", figures.miss_probability);
+  require(figures.false_alarm_probability > 0.0 && figures.false_alarm_probability < 1.0,
+          "false_alarm_probability must be in (0, 1)", figures.false_alarm_probability);
+  require(figures.clutter_per_scan > 0.0, "clutter_per_scan must be > 0", figures.clutter_per_scan);
+  require(figures.range_sigma > 0.0, "range_sigma must be > 0", figures.range_sigma);
+  require(figures.bearing_sigma > 0.0, "bearing_sigma must be > 0", figures.bearing_sigma);
+}
+
+void validate(const SensorModelParams& params) {
+  require(params.log_floor >= -50.0 && params.log_floor < 0.0, "log_floor must be in [-50, 0)",
+          params.log_floor);
+  require(params.edge_softness > 0.0 && params.edge_softness <= 0.5, "edge_softness must be in (0, 0.5]",
+          params.edge_softness);
+}
+
+}  // namespace lookout::csht
