@@ -1,0 +1,11 @@
+#pragma once
+
+#include "tools/options.hpp"
+
+/// One function a command, each in a file of its own. They return the exit status, throw core::InputError on
+/// bad input (status 2), and write data to files and stdout, messages to stderr.
+namespace lookout::tools {
+
+int experiment_command(const Options& options);
+
+}  // namespace lookout::tools

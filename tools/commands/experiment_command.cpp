@@ -1,0 +1,48 @@
+#include <iostream>
+
+#include "core/input_error.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/experiments/experiment_registry.hpp"
+#include "tools/experiments/monte_carlo.hpp"
+#include "tools/experiments/report.hpp"
+#include "tools/log.hpp"
+#include "tools/paths.hpp"
+
+namespace lookout::tools {
+namespace {
+
+int list_experiments() {
+  for (const auto& entry : experiment_registry())
+    std::cout << entry.name << "\t" << entry.make()->summary() << "\n";
+  return 0;
+}
+
+MonteCarloOptions monte_carlo_options(const Options& options) {
+  MonteCarloOptions result;
+  result.seed = options.seed;
+  result.runs = options.runs;
+  result.jobs = options.jobs;
+  result.only = parse_filters(options.only);
+  result.progress_file = options.out + "/runs.jsonl";
+  result.resume = options.resume;
+  return result;
+}
+
+}  // namespace
+
+int experiment_command(const Options& options) {
+  if (options.list) return list_experiments();
+  if (options.method.empty()) throw core::InputError("experiment: NAME is missing; `--list` shows the names");
+  if (options.out.empty()) throw core::InputError("experiment: --out DIR is missing");
+  const auto experiment = make_experiment(options.method);
+  make_directory(options.out);
+  const ExperimentResults results =
+      run_monte_carlo(*experiment, options.method, monte_carlo_options(options));
+  write_results(*experiment, results, options.out);
+  log_info("wrote " + options.out + "/results.json, results.csv and report.md");
+  experiment->write_extras(options.seed, options.out);
+  if (!experiment->plot_script().empty()) run_plot_script(experiment->plot_script(), {options.out});
+  return 0;
+}
+
+}  // namespace lookout::tools

@@ -1,0 +1,27 @@
+#include "tools/experiments/experiment_registry.hpp"
+
+#include <array>
+
+#include "core/input_error.hpp"
+
+namespace lookout::tools {
+namespace {
+
+const std::array<ExperimentEntry, 0> kExperiments{{}};
+
+}  // namespace
+
+std::span<const ExperimentEntry> experiment_registry() {
+  return kExperiments;
+}
+
+std::unique_ptr<Experiment> make_experiment(const std::string& name) {
+  std::string names;
+  for (const auto& entry : kExperiments) {
+    if (entry.name == name) return entry.make();
+    names += std::string(names.empty() ? "" : " ") + entry.name;
+  }
+  throw core::InputError("experiment `" + name + "` is not known, expected one of: " + names);
+}
+
+}  // namespace lookout::tools

@@ -1,0 +1,44 @@
+#include "tools/experiments/simulated_run.hpp"
+
+#include <stdexcept>
+
+#include "sonar_sim/sonar_simulator.hpp"
+#include "tools/paths.hpp"
+
+namespace lookout::tools {
+
+std::vector<TimedScan> simulate(const sonar_sim::Scene& scene, std::uint64_t seed, int run,
+                                std::size_t platform) {
+  sonar_sim::SonarSimulator simulator(scene, seed, static_cast<std::uint64_t>(run), platform);
+  std::vector<TimedScan> scans;
+  core::PoseHistory history;
+  while (auto simulated = simulator.next()) {
+    for (const auto& state : simulated->states_before) history.add(state);
+    for (const auto& state : simulated->states_after) history.add(state);
+    const auto body = history.at(simulated->scan.utime);
+    if (!body) continue;
+    const core::Pose2 T_earth_sonar = core::compose(*body, simulated->scan.T_body_sonar);
+    scans.push_back({{std::move(simulated->scan), T_earth_sonar}, std::move(simulated->truth)});
+  }
+  return scans;
+}
+
+sonar_sim::Scene load_variant(const std::string& scene_file, const SceneVariant& variant) {
+  sonar_sim::Scene scene = sonar_sim::load_scene(tools_directory() + "/scenarios/" + scene_file);
+  for (auto& platform : scene.platforms) {
+    platform.sonar.params.false_alarm_probability = variant.p_false_alarm;
+    platform.sonar.params.miss_probability = variant.p_miss;
+    platform.sonar.params.range_sigma = variant.sigma;
+    platform.sonar.echo_range_sigma = variant.sigma;
+    platform.sonar.clutter = variant.clutter;
+  }
+  return scene;
+}
+
+sonar_sim::ClutterReading clutter_reading(const std::string& name) {
+  if (name == "literal") return sonar_sim::ClutterReading::literal;
+  if (name == "light") return sonar_sim::ClutterReading::light;
+  throw std::invalid_argument("clutter must be literal or light, got " + name);
+}
+
+}  // namespace lookout::tools

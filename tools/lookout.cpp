@@ -1,0 +1,99 @@
+// The command line: every command and flag of `lookout`, and its exit status.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <iterator>
+#include <string>
+
+#include "core/input_error.hpp"
+#include "tools/commands/commands.hpp"
+
+namespace lookout::tools {
+namespace {
+
+constexpr int kFailure = 1;
+constexpr int kBadInput = 2;
+
+// Flags that several commands share, each described once.
+
+void add_seed(CLI::App& app, Options& options) {
+  app.add_option("--seed", options.seed, "Seed of every random draw")->capture_default_str();
+}
+
+void add_out(CLI::App& app, Options& options) {
+  app.add_option("--out", options.out, "Directory to write");
+}
+
+// The flags of each command.
+
+void declare_experiment(CLI::App& app, Options& options) {
+  app.add_option("NAME", options.method, "Which experiment");
+  add_out(app, options);
+  add_seed(app, options);
+  app.add_flag("--list", options.list, "Name the experiments and stop");
+  app.add_option("--runs", options.runs, "Monte Carlo runs a cell")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--jobs", options.jobs, "Threads; 0 takes all cores")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  app.add_option("--only", options.only, "KEY=VALUE: only the cells with it; may be repeated")
+      ->allow_extra_args(false);
+  app.add_flag("--resume", options.resume, "Go on where an interrupted experiment stopped");
+}
+
+struct Command {
+  const char* name;
+  const char* summary;
+  const char* example;
+  void (*declare)(CLI::App& app, Options& options);
+  int (*run)(const Options& options);
+};
+
+constexpr Command kCommands[] = {
+    {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
+     "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
+     experiment_command},
+};
+
+/// One line for a person; the status for a script.
+int report(const std::string& message, int status) {
+  std::cerr << "lookout: " << message << "\n";
+  return status;
+}
+
+int run(int argc, char** argv) {
+  Options options;
+  CLI::App app("Lookout: what moves around an underwater vehicle, from the returns of its sonar.", "lookout");
+  app.require_subcommand(1);
+  const Command* chosen = nullptr;
+  for (const auto& command : kCommands) {
+    auto* sub = app.add_subcommand(command.name, command.summary);
+    sub->description(std::string("Example:\n  ") + command.example + "\n\n" + command.summary);
+    command.declare(*sub, options);
+    sub->callback([&chosen, &command] { chosen = &command; });
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::CallForAllHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return report(error.what(), kBadInput);
+  }
+  return chosen->run(options);
+}
+
+}  // namespace
+}  // namespace lookout::tools
+
+int main(int argc, char** argv) {
+  using namespace lookout::tools;
+  try {
+    return run(argc, argv);
+  } catch (const lookout::core::InputError& error) {
+    return report(error.what(), kBadInput);
+  } catch (const std::exception& error) {
+    return report(error.what(), kFailure);
+  }
+}

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace lookout::tools {
+
+/// Everything that the command line can say; each command reads its own part. Empty texts were not given.
+struct Options {
+  std::vector<std::string> inputs;  ///< Scenario, recording, log or CSV files, in the order given.
+  std::string method;               ///< Initiator, tbd or fusion method, or the experiment's name.
+  std::string out;                  ///< Directory or file to write.
+  std::uint64_t seed = 1;
+  std::string config;         ///< Configuration YAML.
+  std::string estimator;      ///< Registry name; empty: the configuration's, else the default.
+  std::string tracker;        ///< Registry name; empty: the configuration's, else the default.
+  std::optional<double> lag;  ///< Delayed output [s].
+  bool explain = false;
+  bool publish_estimates = false;
+  int node_id = 1;
+  double cutoff = 20.0;           ///< OSPA cut-off [m].
+  double order = 2.0;             ///< OSPA order.
+  std::string truth = "visible";  ///< visible or schedule.
+  std::string times;              ///< CSV of scan times.
+  bool json = false;
+  std::string tracks_channel;  ///< Channel that `score` listens to.
+  std::string lcm_url;
+  std::string channel_prefix;
+  std::optional<double> duration;   ///< Wall time [s].
+  std::optional<double> idle_exit;  ///< Wall time of silence [s].
+  int wait_for = 0;
+  std::string speed = "1";       ///< Factor over real time, or "max".
+  std::int64_t start_utime = 0;  ///< Scenario time of the first scan [us].
+  int runs = 100;
+  int jobs = 0;  ///< Threads; 0: all cores.
+  std::vector<std::string> only;
+  bool resume = false;
+  bool list = false;
+};
+
+}  // namespace lookout::tools
