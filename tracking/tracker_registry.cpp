@@ -4,6 +4,7 @@
 
 #include "core/yaml_reader.hpp"
 #include "tracking/gnn_tracker.hpp"
+#include "tracking/kalman_tracker.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -16,6 +17,13 @@ struct Entry {
   Factory make;
 };
 
+std::unique_ptr<Tracker> make_kalman(const TrackerParams& params, const core::SonarParams& sonar,
+                                     const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
+  KalmanParams kalman;
+  kalman.life.coast_s = params.coast_s;
+  return std::make_unique<KalmanTracker>(kalman, sonar);
+}
+
 std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::SonarParams& sonar,
                                   const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
   GnnParams gnn;
@@ -25,6 +33,7 @@ std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::Sonar
 
 /// One line a tracker.
 constexpr Entry kRegistry[] = {
+    {"kalman", &make_kalman},
     {"gnn", &make_gnn},
 };
 

@@ -4,23 +4,10 @@
 
 #include <stdexcept>
 
+#include "tests/tracking/sonar_scene.hpp"
+
 namespace lookout::tracking {
 namespace {
-
-/// A scan of the default sonar at the origin, heading north, with exact echoes of these points.
-core::PosedScan scan_of(int index, const std::vector<Eigen::Vector2d>& points) {
-  const core::SonarParams sonar;
-  core::PosedScan posed;
-  posed.scan.utime = 500'000 * static_cast<std::int64_t>(index);
-  posed.scan.sequence = index;
-  posed.scan.num_beams = sonar.num_beams;
-  posed.scan.first_bearing = sonar.first_bearing;
-  posed.scan.bearing_step = sonar.bearing_step;
-  posed.scan.max_range = sonar.max_range;
-  for (const auto& point : points)
-    posed.scan.returns.push_back({std::atan2(point.y(), point.x()), point.norm()});
-  return posed;
-}
 
 TEST(GnnTracker, ConfirmsOnTheMthEchoAndFollows) {
   GnnTracker tracker({}, {});

@@ -28,6 +28,8 @@ class GlobalNearestNeighbour {
   /// @return for each track the index of its detection, or -1; valid until the next call.
   const std::vector<int>& assign(const Scene& scene, const core::SonarParams& sonar);
 
+  const std::vector<int>& result() const { return detection_of_track_; }  ///< Of the last `assign`.
+
  private:
   void find_gated_pairs(const Scene& scene);
   void find_gated_pairs_of(const Scene& scene, std::size_t track);

@@ -1,0 +1,101 @@
+#include "tracking/csht_tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "tests/tracking/sonar_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+/// Says what the test told it to, and remembers what it was offered.
+class ScriptedEstimator : public csht::MotionEstimator {
+ public:
+  std::span<const core::MotionElement> update(const core::PosedScan& /*scan*/) override { return script; }
+  void offer(std::span<const core::Track> tracks) override { offered.assign(tracks.begin(), tracks.end()); }
+  core::EstimatorMethod method() const override { return core::EstimatorMethod::csht; }
+  int window_scans() const override { return 20; }
+
+  std::vector<core::MotionElement> script;
+  std::vector<core::Track> offered;
+};
+
+class CshtTrackerTest : public testing::Test {
+ protected:
+  CshtTrackerTest() {
+    auto estimator = std::make_unique<ScriptedEstimator>();
+    estimator_ = estimator.get();
+    tracker_ = std::make_unique<CshtTracker>(CshtTrackerParams{}, core::SonarParams{}, std::move(estimator));
+  }
+  std::span<const core::Track> step(const std::vector<core::MotionElement>& script,
+                                    const std::vector<Eigen::Vector2d>& echoes = {}) {
+    estimator_->script = script;
+    return tracker_->update(scan_of(scan_++, echoes));
+  }
+  static core::MotionElement element(double north, double north_velocity, double existence = 1.0) {
+    core::MotionElement element;
+    element.position = {north, 0.0};
+    element.velocity = {north_velocity, 0.0};
+    element.covariance = Eigen::Matrix4d::Identity();
+    element.existence = existence;
+    return element;
+  }
+
+  ScriptedEstimator* estimator_ = nullptr;
+  std::unique_ptr<CshtTracker> tracker_;
+  int scan_ = 0;
+};
+
+TEST_F(CshtTrackerTest, ReportsANewElementAtOnce) {
+  const auto tracks = step({element(50.0, 1.0)});
+  ASSERT_EQ(tracks.size(), 1U);
+  EXPECT_EQ(tracks[0].status, core::TrackStatus::confirmed);
+  EXPECT_EQ(tracks[0].state, Eigen::Vector4d(50.0, 0.0, 1.0, 0.0));
+}
+
+TEST_F(CshtTrackerTest, KeepsTheIdentityOfAnExistingTarget) {
+  step({element(50.0, 1.0)});
+  const auto tracks = step({element(50.7, 1.1)});
+  ASSERT_EQ(tracks.size(), 1U);
+  EXPECT_EQ(tracks[0].id, 1);
+  EXPECT_EQ(tracks[0].state(0), 50.7);  // young: the window estimate as it is
+}
+
+TEST_F(CshtTrackerTest, AnElementFarFromEveryTrackIsANewTarget) {
+  step({element(50.0, 1.0)});
+  EXPECT_EQ(step({element(50.5, 1.0), element(80.0, 0.0)}).size(), 2U);
+}
+
+TEST_F(CshtTrackerTest, AnElementThatHardlyExistsIsAFalseTarget) {
+  EXPECT_TRUE(step({element(50.0, 1.0, 0.4)}).empty());
+}
+
+TEST_F(CshtTrackerTest, OffersItsTracksPredictedToTheScan) {
+  step({element(50.0, 1.0)});
+  step({});
+  ASSERT_EQ(estimator_->offered.size(), 1U);
+  EXPECT_NEAR(estimator_->offered[0].state(0), 50.5, 1e-12);
+}
+
+TEST_F(CshtTrackerTest, DropsATrackThatTheWindowNoLongerSupports) {
+  step({element(50.0, 1.0)});
+  EXPECT_EQ(step({}).size(), 1U);  // 1 + .2 x 1 misses are allowed
+  EXPECT_TRUE(step({}).empty());
+}
+
+TEST_F(CshtTrackerTest, AnOldTrackFollowsItsSamples) {
+  for (int k = 0; k < 10; ++k) step({element(50.0, 0.0)});
+  const auto tracks = step({element(50.0, 0.0)}, {{51.0, 0.0}});
+  EXPECT_GT(tracks[0].state(0), 50.0);  // pulled towards the echo
+  EXPECT_LT(tracks[0].state(0), 51.0);
+}
+
+TEST(CshtTracker, RefusesParametersOutOfRange) {
+  CshtTrackerParams params;
+  params.min_existence = 1.5;
+  EXPECT_THROW(CshtTracker(params, {}, std::make_unique<ScriptedEstimator>()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

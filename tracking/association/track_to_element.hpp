@@ -1,0 +1,42 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "core/motion_element.hpp"
+#include "core/track.hpp"
+#include "tracking/association/assignment.hpp"
+
+namespace lookout::tracking {
+
+/// How far a window estimate may lie from its trajectory.
+struct ElementGate {
+  double position = 10.0;  ///< Distance [m] at which position alone closes the gate, > 0.
+  double velocity = 1.5;   ///< The same of velocity [m/s], > 0.
+
+  /// @throws std::invalid_argument naming the first value out of range.
+  void validate() const;
+};
+
+/// Which motion element belongs to which trajectory: the one-to-one assignment of least
+/// (distance / position)^2 + (speed difference / velocity)^2, no pair at 1 or above. [Yan2018] Sec. IV.
+class TrackToElement {
+ public:
+  explicit TrackToElement(const ElementGate& gate);
+
+  /// @param tracks predicted to the time of the elements.
+  /// @return for each track the index of its element, or -1; valid until the next call.
+  const std::vector<int>& assign(std::span<const core::Track> tracks,
+                                 std::span<const core::MotionElement> elements);
+
+ private:
+  double cost(const core::Track& track, const core::MotionElement& element) const;
+
+  ElementGate gate_;
+  AssignmentSolver solver_;
+  Eigen::MatrixXd cost_;
+  std::vector<int> element_of_track_;
+};
+
+}  // namespace lookout::tracking

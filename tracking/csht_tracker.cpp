@@ -1,0 +1,74 @@
+#include "tracking/csht_tracker.hpp"
+
+#include <stdexcept>
+
+#include "core/field_of_view.hpp"
+#include "csht/scan_to_detections.hpp"
+#include "tracking/association/gating.hpp"
+
+namespace lookout::tracking {
+
+CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParams& sonar,
+                         std::unique_ptr<csht::MotionEstimator> estimator)
+    : params_(params),
+      sonar_(sonar),
+      book_(params.life),
+      estimator_(std::move(estimator)),
+      element_association_(params.element_gate),
+      sample_association_(chi_square_gate(params.gate_probability, 2)),
+      smoother_(params.smoother) {
+  params.motion.validate();
+  if (!(params.min_existence >= 0.0 && params.min_existence <= 1.0))
+    throw std::invalid_argument("min_existence must be in [0, 1], got " +
+                                std::to_string(params.min_existence));
+}
+
+std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan) {
+  const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
+  csht::scan_to_detections(scan, 0, detections_);
+  book_.predict_to(scan.scan.utime, params_.motion);
+  estimator_->offer(book_.tracks());
+  elements_ = estimator_->update(scan);
+  associate(sonar);
+  smooth(sonar);
+  book_.step(scan, sonar, supported_);
+  begin_on_new_elements(scan.scan.utime);
+  return book_.tracks();
+}
+
+void CshtTracker::associate(const core::SonarParams& sonar) {
+  const auto tracks = book_.tracks();
+  element_of_track_ = element_association_.assign(tracks, elements_);
+  supported_.clear();
+  explained_.assign(elements_.size(), 0);
+  for (const int element : element_of_track_) {
+    supported_.push_back(element >= 0);
+    if (element >= 0) explained_[static_cast<std::size_t>(element)] = 1;
+  }
+  use_track_.assign(tracks.size(), 1);
+  use_detection_.assign(detections_.size(), 1);
+  sample_association_.assign({tracks, detections_, use_track_, use_detection_}, sonar);
+}
+
+void CshtTracker::smooth(const core::SonarParams& sonar) {
+  const auto tracks = book_.tracks();
+  const auto& sample_of_track = sample_association_.result();
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const int sample = sample_of_track[i];
+    const int element = element_of_track_[i];
+    smoother_.correct(tracks[i], book_.life(i).age(),
+                      sample < 0 ? nullptr : &detections_[static_cast<std::size_t>(sample)],
+                      element < 0 ? nullptr : &elements_[static_cast<std::size_t>(element)], sonar);
+    if (element >= 0) tracks[i].existence = elements_[static_cast<std::size_t>(element)].existence;
+  }
+}
+
+void CshtTracker::begin_on_new_elements(std::int64_t utime) {
+  for (std::size_t j = 0; j < elements_.size(); ++j) {
+    if (explained_[j] || elements_[j].existence < params_.min_existence) continue;
+    book_.begin(utime, elements_[j].state(), elements_[j].covariance);
+    book_.tracks().back().existence = elements_[j].existence;
+  }
+}
+
+}  // namespace lookout::tracking

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/detection.hpp"
+#include "core/sonar_params.hpp"
+#include "csht/motion_estimator.hpp"
+#include "tracking/association/global_nearest_neighbour.hpp"
+#include "tracking/association/track_to_element.hpp"
+#include "tracking/management/trajectory_book.hpp"
+#include "tracking/smoothing/window_smoother.hpp"
+#include "tracking/tracker.hpp"
+
+namespace lookout::tracking {
+
+/// The stages of the faithful tracker.
+struct CshtTrackerParams {
+  ElementGate element_gate;        ///< See there.
+  double gate_probability = 0.99;  ///< Share of own echoes inside the sample gate, in (0, 1).
+  MotionModelParams motion;        ///< See there.
+  WindowSmootherParams smoother;   ///< See there.
+  TrackLifeParams life;            ///< Reported at once; drop rule min(5, 1 + .2 hits).
+  double min_existence = 0.5;      ///< Elements below it are false targets, in [0, 1].
+};
+
+/// Tracking by motion elements, [Yan2018] Sec. IV and Fig. 6: scan -> estimator on the sliding window, with
+/// the known trajectories as extra candidates -> association (existing, new or false target) -> smoothing on
+/// the new scan, which corrects the next gate -> trajectory management -> motion states out.
+class CshtTracker : public Tracker {
+ public:
+  /// @param estimator behind the tracker, not null; any will do.
+  /// @throws std::invalid_argument on a parameter out of range.
+  CshtTracker(const CshtTrackerParams& params, const core::SonarParams& sonar,
+              std::unique_ptr<csht::MotionEstimator> estimator);
+
+  std::span<const core::Track> update(const core::PosedScan& scan) override;
+  std::span<const core::MotionElement> elements() const override { return elements_; }
+
+ private:
+  void associate(const core::SonarParams& sonar);
+  void smooth(const core::SonarParams& sonar);
+  void begin_on_new_elements(std::int64_t utime);
+
+  CshtTrackerParams params_;
+  core::SonarParams sonar_;
+  TrajectoryBook book_;
+  std::unique_ptr<csht::MotionEstimator> estimator_;
+  std::span<const core::MotionElement> elements_;
+  std::vector<core::Detection> detections_;
+  TrackToElement element_association_;
+  GlobalNearestNeighbour sample_association_;
+  std::vector<int> element_of_track_;
+  std::vector<char> use_track_, use_detection_, supported_, explained_;
+  WindowSmoother smoother_;
+};
+
+}  // namespace lookout::tracking

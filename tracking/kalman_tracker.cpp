@@ -1,0 +1,86 @@
+#include "tracking/kalman_tracker.hpp"
+
+#include "core/field_of_view.hpp"
+#include "csht/scan_to_detections.hpp"
+#include "tracking/association/gating.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+PaperKalmanParams noises_of(const core::SonarParams& sonar) {
+  PaperKalmanParams params;
+  params.process_sigma = 2.0 * sonar.range_sigma / (sonar.scan_period * sonar.scan_period);
+  params.position_sigma = sonar.range_sigma;
+  return params;
+}
+
+}  // namespace
+
+KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar)
+    : params_(params),
+      sonar_(sonar),
+      gate_(chi_square_gate(params.gate_probability, 2)),
+      book_(params.life),
+      filter_(noises_of(sonar)),
+      choose_([this](const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation) {
+        return nearest(predicted, innovation);
+      }) {}
+
+std::span<const core::Track> KalmanTracker::update(const core::PosedScan& scan) {
+  const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
+  csht::scan_to_detections(scan, 0, detections_);
+  free_detection_.assign(detections_.size(), 1);
+  supported_.assign(book_.tracks().size(), 0);
+  const double seconds = core::seconds(scan.scan.utime - utime_);
+  utime_ = scan.scan.utime;
+  filter(seconds, true);
+  filter(seconds, false);
+  book_.step(scan, sonar, supported_);
+  begin_on_free_detections();
+  rate();
+  return book_.tracks();
+}
+
+void KalmanTracker::filter(double seconds, bool confirmed) {
+  const auto tracks = book_.tracks();
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if ((tracks[i].status != core::TrackStatus::tentative) != confirmed) continue;
+    supported_[i] = filter_.iterate(tracks[i], seconds, choose_);
+    if (supported_[i]) tracks[i].last_detection_utime = utime_;
+  }
+}
+
+std::optional<Eigen::Vector2d> KalmanTracker::nearest(const Eigen::Vector2d& predicted,
+                                                      const Eigen::Matrix2d& innovation) {
+  std::optional<std::size_t> best;
+  double best_distance = gate_;
+  for (std::size_t j = 0; j < detections_.size(); ++j) {
+    if (!free_detection_[j]) continue;
+    const double distance = squared_distance(detections_[j].p_earth - predicted, innovation);
+    if (distance >= best_distance) continue;
+    best = j;
+    best_distance = distance;
+  }
+  if (!best) return std::nullopt;
+  free_detection_[*best] = 0;
+  return detections_[*best].p_earth;
+}
+
+void KalmanTracker::begin_on_free_detections() {
+  for (std::size_t j = 0; j < detections_.size(); ++j) {
+    if (!free_detection_[j]) continue;
+    const Eigen::Vector2d& position = detections_[j].p_earth;
+    book_.begin(utime_, {position.x(), position.y(), 0.0, 0.0}, filter_.initial_covariance());
+  }
+}
+
+void KalmanTracker::rate() {
+  // As in the GNN baseline: confirmed counts as sure, tentative as a share of M below one half.
+  const auto tracks = book_.tracks();
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const double share = 0.5 * book_.life(i).hits() / (params_.life.confirm_hits + 1.0);
+    tracks[i].existence = tracks[i].status == core::TrackStatus::tentative ? share : 1.0;
+  }
+}
+
+}  // namespace lookout::tracking
