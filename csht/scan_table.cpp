@@ -94,7 +94,6 @@ int fill_scan_table(const core::PosedScan& posed, ScanTable& table) {
 void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
   table.clutter = model.clutter;
   table.inverse_sigma = static_cast<float>(1.0 / figures.range_sigma);
-  table.edge_softness = static_cast<float>(model.edge_softness);
   if (model.clutter == ClutterModel::point)
     set_point_figures(figures, table);
   else

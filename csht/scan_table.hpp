@@ -35,7 +35,6 @@ struct ScanTable {
   std::vector<float> bearing_from_axis;
   float inverse_bearing_sigma = 0.0F;  ///< [1/rad].
   float half_sector = 0.0F;            ///< Beyond it from `axis` nothing is seen [rad].
-  float edge_softness = 0.1F;          ///< In beams.
 
   bool silent(int beam) const { return range[static_cast<std::size_t>(beam) + 1] < 0.0F; }
 };

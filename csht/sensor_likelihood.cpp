@@ -26,7 +26,21 @@ struct SlotLanes {
   Lane range, base, mask_range, mask_share, mask_nearer;
 };
 
+// What a tolerance makes of a scan's Gaussian; wider is lower, so that it still averages 1 over clutter.
+struct Shape {
+  float gain, inverse_sigma, inverse_bearing_sigma;
+  float inverse_softness;  // Slope of the neighbour's weight, half over edge_softness [1/beam].
+};
+
+Shape shape_of(const ScanTable& scan, const Tolerance& tolerance) {
+  const auto scale = static_cast<float>(1.0 / tolerance.sigma_scale);
+  const bool point = scan.clutter == ClutterModel::point;
+  return {scan.gain * scale * (point ? scale : 1.0F), scan.inverse_sigma * scale,
+          scan.inverse_bearing_sigma * scale, static_cast<float>(0.5 / tolerance.edge_softness)};
+}
+
 struct Block {
+  Shape shape;
   Lane range;    // From the sonar [m].
   Lane bearing;  // From the sector's middle [rad].
   Lane seen;     // 1 within the maximum range, else 0.
@@ -62,7 +76,7 @@ void find_slots(const ScanTable& scan, std::size_t count, Block& b) {
   const auto max_range = static_cast<float>(scan.max_range);
   const float middle = 0.5F * static_cast<float>(scan.num_beams) + 1.0F;
   const float last = static_cast<float>(scan.num_beams) + 1.5F;
-  const float inverse_softness = 0.5F / scan.edge_softness;
+  const float inverse_softness = b.shape.inverse_softness;
   for (std::size_t i = 0; i < count; ++i) {
     float beam = b.bearing[i] * inverse_step + middle;
     beam = beam < 0.5F ? 0.5F : beam;
@@ -94,10 +108,10 @@ void load(const ScanTable& scan, const BeamMask* mask, const std::array<int, kBl
   }
 }
 
-inline __attribute__((always_inline)) float slot_ratio(const ScanTable& scan, const SlotLanes& lanes,
+inline __attribute__((always_inline)) float slot_ratio(const Shape& shape, const SlotLanes& lanes,
                                                        float range, std::size_t i) {
-  const float offset = (range - lanes.range[i]) * scan.inverse_sigma;
-  return lanes.base[i] + scan.gain * fast_exp(-0.5F * offset * offset);
+  const float offset = (range - lanes.range[i]) * shape.inverse_sigma;
+  return lanes.base[i] + shape.gain * fast_exp(-0.5F * offset * offset);
 }
 
 inline __attribute__((always_inline)) float masked(const SlotLanes& lanes, float ratio, float range,
@@ -111,10 +125,11 @@ inline __attribute__((always_inline)) void accumulate(std::size_t count, const B
 }
 
 LOOKOUT_VECTOR_CLONES
-void score_free(const ScanTable& scan, std::size_t count, Block& b, double* log_ratio) {
+void score_free(std::size_t count, Block& b, double* log_ratio) {
+  const Shape shape = b.shape;
   for (std::size_t i = 0; i < count; ++i) {
-    const float own = slot_ratio(scan, b.own, b.range[i], i);
-    const float other = slot_ratio(scan, b.other, b.range[i], i);
+    const float own = slot_ratio(shape, b.own, b.range[i], i);
+    const float other = slot_ratio(shape, b.other, b.range[i], i);
     const float mixed = own + b.weight[i] * (other - own);
     b.ratio[i] = b.seen[i] > 0.5F ? mixed : 1.0F;
   }
@@ -122,10 +137,11 @@ void score_free(const ScanTable& scan, std::size_t count, Block& b, double* log_
 }
 
 LOOKOUT_VECTOR_CLONES
-void score_masked(const ScanTable& scan, std::size_t count, Block& b, double* log_ratio) {
+void score_masked(std::size_t count, Block& b, double* log_ratio) {
+  const Shape shape = b.shape;
   for (std::size_t i = 0; i < count; ++i) {
-    const float own = masked(b.own, slot_ratio(scan, b.own, b.range[i], i), b.range[i], i);
-    const float other = masked(b.other, slot_ratio(scan, b.other, b.range[i], i), b.range[i], i);
+    const float own = masked(b.own, slot_ratio(shape, b.own, b.range[i], i), b.range[i], i);
+    const float other = masked(b.other, slot_ratio(shape, b.other, b.range[i], i), b.range[i], i);
     const float mixed = own + b.weight[i] * (other - own);
     b.ratio[i] = b.seen[i] > 0.5F ? mixed : 1.0F;
   }
@@ -139,15 +155,15 @@ void score_point(const ScanTable& scan, const BeamMask* mask, std::size_t count,
   const auto max_range = static_cast<float>(scan.max_range);
   for (std::size_t i = 0; i < count; ++i) b.ratio[i] = scan.base[1];
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
-    const float gain = mask == nullptr ? scan.gain : scan.gain * (1.0F - mask->share[j]);
+    const float gain = mask == nullptr ? b.shape.gain : b.shape.gain * (1.0F - mask->share[j]);
     const auto range = static_cast<float>(scan.detections[j].range);
     const float bearing = scan.bearing_from_axis[j];
     for (std::size_t i = 0; i < count; ++i) {
       float turn = b.bearing[i] - bearing;
       turn = turn > 0.5F * kTurn ? turn - kTurn : turn;
       turn = turn < -0.5F * kTurn ? turn + kTurn : turn;
-      const float dr = (b.range[i] - range) * scan.inverse_sigma;
-      const float db = turn * scan.inverse_bearing_sigma;
+      const float dr = (b.range[i] - range) * b.shape.inverse_sigma;
+      const float db = turn * b.shape.inverse_bearing_sigma;
       b.ratio[i] += gain * fast_exp(-0.5F * (dr * dr + db * db));
     }
   }
@@ -165,42 +181,45 @@ void score_beams(const ScanTable& scan, const BeamMask* mask, std::size_t count,
   if (mask == nullptr) {
     load<false>(scan, mask, b.slot, count, b.own);
     load<false>(scan, mask, b.neighbour, count, b.other);
-    score_free(scan, count, b, log_ratio);
+    score_free(count, b, log_ratio);
   } else {
     load<true>(scan, mask, b.slot, count, b.own);
     load<true>(scan, mask, b.neighbour, count, b.other);
-    score_masked(scan, count, b, log_ratio);
+    score_masked(count, b, log_ratio);
   }
 }
 
-double plain_slot_ratio(const ScanTable& scan, const BeamMask* mask, int slot_index, double range) {
+double plain_slot_ratio(const ScanTable& scan, const BeamMask* mask, const Shape& shape, int slot_index,
+                        double range) {
   const auto slot = static_cast<std::size_t>(std::clamp(slot_index, 0, scan.num_beams + 1));
-  const double offset = (range - scan.range[slot]) * scan.inverse_sigma;
-  const double ratio = scan.base[slot] + scan.gain * std::exp(-0.5 * offset * offset);
+  const double offset = (range - scan.range[slot]) * shape.inverse_sigma;
+  const double ratio = scan.base[slot] + shape.gain * std::exp(-0.5 * offset * offset);
   if (mask == nullptr) return ratio;
   const double share = mask->share[slot];
   return range > mask->range[slot] ? share + (1.0 - share) * ratio : ratio * mask->nearer[slot];
 }
 
-double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, double range, double bearing) {
+double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, const Shape& shape, double range,
+                        double bearing) {
   const double beam =
       std::clamp(bearing / scan.bearing_step + 0.5 * scan.num_beams + 1.0, 0.5, scan.num_beams + 1.5);
   const int slot = static_cast<int>(beam);
   const double inside = beam - slot;
   const double edge = std::min(inside, 1.0 - inside);
-  const double weight = std::max(0.0, 0.5 - 0.5 * edge / scan.edge_softness);
+  const double weight = std::max(0.0, 0.5 - edge * shape.inverse_softness);
   const int neighbour = inside < 0.5 ? slot - 1 : slot + 1;
-  return (1.0 - weight) * plain_slot_ratio(scan, mask, slot, range) +
-         weight * plain_slot_ratio(scan, mask, neighbour, range);
+  return (1.0 - weight) * plain_slot_ratio(scan, mask, shape, slot, range) +
+         weight * plain_slot_ratio(scan, mask, shape, neighbour, range);
 }
 
-double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, double range, double bearing) {
+double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, const Shape& shape, double range,
+                         double bearing) {
   double ratio = scan.base[1];
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
-    const double dr = (range - scan.detections[j].range) * scan.inverse_sigma;
-    const double db = core::wrap_to_pi(bearing - scan.bearing_from_axis[j]) * scan.inverse_bearing_sigma;
+    const double dr = (range - scan.detections[j].range) * shape.inverse_sigma;
+    const double db = core::wrap_to_pi(bearing - scan.bearing_from_axis[j]) * shape.inverse_bearing_sigma;
     const double weight = mask == nullptr ? 1.0 : 1.0 - mask->share[j];
-    ratio += weight * scan.gain * std::exp(-0.5 * (dr * dr + db * db));
+    ratio += weight * shape.gain * std::exp(-0.5 * (dr * dr + db * db));
   }
   return std::abs(bearing) <= scan.half_sector ? ratio : 1.0;
 }
@@ -208,9 +227,10 @@ double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, double ran
 }  // namespace
 
 void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
-                   double seconds, std::span<double> log_ratio) {
+                   double seconds, const Tolerance& tolerance, std::span<double> log_ratio) {
   if (mask != nullptr && mask->empty) mask = nullptr;
   Block block;
+  block.shape = shape_of(scan, tolerance);
   for (std::size_t first = 0; first < hypotheses.size(); first += kBlock) {
     const std::size_t count = std::min(kBlock, hypotheses.size() - first);
     place(scan, hypotheses, first, count, seconds, block);
@@ -221,14 +241,17 @@ void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const Hypothesis
   }
 }
 
-double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vector2d& p_earth) {
+double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vector2d& p_earth,
+                 const Tolerance& tolerance) {
   if (mask != nullptr && mask->empty) mask = nullptr;
   const double dn = p_earth.x() - scan.T_earth_sonar.north, de = p_earth.y() - scan.T_earth_sonar.east;
   const double range = std::hypot(dn, de);
   if (range > scan.max_range) return 0.0;
   const double bearing = core::wrap_to_pi(std::atan2(de, dn) - scan.axis);
-  const double ratio = scan.clutter == ClutterModel::point ? plain_point_ratio(scan, mask, range, bearing)
-                                                           : plain_beam_ratio(scan, mask, range, bearing);
+  const Shape shape = shape_of(scan, tolerance);
+  const double ratio = scan.clutter == ClutterModel::point
+                           ? plain_point_ratio(scan, mask, shape, range, bearing)
+                           : plain_beam_ratio(scan, mask, shape, range, bearing);
   return std::log(ratio);
 }
 

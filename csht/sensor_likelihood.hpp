@@ -17,15 +17,25 @@ struct HypothesisSpan {
   std::size_t size() const { return north.size(); }
 };
 
+/// How much wider than the sensor's own errors a hypothesis may miss. A search starts wide; the verdict is
+/// exact.
+struct Tolerance {
+  double sigma_scale = 1.0;  ///< Factor on the range (and a point sensor's bearing) sigma, >= 1.
+  /// Half width of a softened beam edge in beams, in (0, 0.5]: within it the likelihood is a normalised
+  /// mixture of both beams, for a cloud of hypotheses dies at a hard edge.
+  double edge_softness = 0.1;
+};
+
 /// Adds to `log_ratio[i]` the log-likelihood ratio of one scan, target i there against no target there, with
 /// the hypotheses moved by `seconds` (the scan's time less their reference time) along their velocity. Zero
 /// outside the field of view. Vectorised over the hypotheses; allocates nothing.
 /// @param mask what other targets own of this scan; null or empty: nothing.
 void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
-                   double seconds, std::span<double> log_ratio);
+                   double seconds, const Tolerance& tolerance, std::span<double> log_ratio);
 
 /// The same for one position, in double precision and the plainest form: the reference that the fast one is
 /// tested and measured against.
-double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vector2d& p_earth);
+double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vector2d& p_earth,
+                 const Tolerance& tolerance = {});
 
 }  // namespace lookout::csht

@@ -36,13 +36,6 @@ ClutterModel clutter_model_of(const core::SonarParams& params) {
   return params.point_sensor() ? ClutterModel::point : ClutterModel::exclusive_beam;
 }
 
-double light_false_alarm_probability(const core::SonarParams& params, double mean_targets) {
-  const SensorFigures figures = figures_of(params);
-  const double odds = figures.false_alarm_probability / (1.0 - figures.false_alarm_probability);
-  const double free_beams = params.num_beams - mean_targets;
-  return away_from_certainty(odds * (1.0 - figures.miss_probability) * mean_targets / free_beams);
-}
-
 void validate(const SensorFigures& figures) {
   require(figures.miss_probability > 0.0 && figures.miss_probability < 1.0,
           "miss_probability must be in (0, 1)", figures.miss_probability);
@@ -56,8 +49,6 @@ void validate(const SensorFigures& figures) {
 void validate(const SensorModelParams& params) {
   require(params.log_floor >= -50.0 && params.log_floor < 0.0, "log_floor must be in [-50, 0)",
           params.log_floor);
-  require(params.edge_softness > 0.0 && params.edge_softness <= 0.5, "edge_softness must be in (0, 0.5]",
-          params.edge_softness);
 }
 
 }  // namespace lookout::csht

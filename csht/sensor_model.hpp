@@ -6,7 +6,8 @@ namespace lookout::csht {
 
 /// What an echo can be, given a target in its beam.
 enum class ClutterModel {
-  exclusive_beam,  ///< A beam with a target never carries a false alarm: the literal sonar. [Yan2018] V.
+  exclusive_beam,  ///< A beam with a target never carries a false alarm. [Yan2018] V. Light clutter is this
+                   ///< model at its equivalent rate (sonar_sim::known_params).
   shared_beam,     ///< A false alarm can occur in a target's beam too; of both, either is reported.
   point            ///< No beams: any number of returns, Poisson clutter, Gaussian range and bearing.
 };
@@ -26,9 +27,6 @@ struct SensorModelParams {
   /// Lowest log-likelihood ratio of an echo that is not the target's, in [-50, 0). It stands for what the
   /// model leaves out; lower gains nothing, -3 doubles the false tracks (csht_limits, idea 1).
   double log_floor = -8.0;
-  /// Half width of a softened beam edge, as a share of a beam, in (0, 0.5]: within it the likelihood is a
-  /// normalised mixture of both beams, for a cloud of hypotheses dies at a hard edge.
-  double edge_softness = 0.1;
 };
 
 /// The figures that `params` holds, kept away from 0 and 1, where a single scan would decide everything;
@@ -37,10 +35,6 @@ SensorFigures figures_of(const core::SonarParams& params);
 
 /// point for a sensor without beams, else exclusive_beam.
 ClutterModel clutter_model_of(const core::SonarParams& params);
-
-/// The per-beam false alarm rate that is equivalent to the light clutter reading: false alarms number
-/// P_F / (1 - P_F) times the detections of `mean_targets` targets in view, over the other beams.
-double light_false_alarm_probability(const core::SonarParams& params, double mean_targets);
 
 /// @throws std::invalid_argument showing the value that is out of range.
 void validate(const SensorFigures& figures);

@@ -51,7 +51,7 @@ void vectorised(benchmark::State& state, csht::ClutterModel clutter, bool masked
   Cloud cloud(256);
   for (auto _ : state) {
     csht::add_log_ratio(table, &mask, {cloud.north, cloud.east, cloud.north_velocity, cloud.east_velocity},
-                        -2.0, cloud.sum);
+                        -2.0, {}, cloud.sum);
     benchmark::DoNotOptimize(cloud.sum.data());
   }
   report_terms(state, 256);

@@ -36,7 +36,6 @@ TEST(ScanHistory, RefusesBadFigures) {
   EXPECT_THROW(ScanHistory({.miss_probability = 0.0}, {}, 3), std::invalid_argument);
   EXPECT_THROW(ScanHistory({.range_sigma = -1.0}, {}, 3), std::invalid_argument);
   EXPECT_THROW(ScanHistory({}, {.log_floor = 1.0}, 3), std::invalid_argument);
-  EXPECT_THROW(ScanHistory({}, {.edge_softness = 0.0}, 3), std::invalid_argument);
 }
 
 }  // namespace

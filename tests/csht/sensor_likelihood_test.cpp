@@ -72,6 +72,13 @@ TEST(SensorLikelihood, AveragesOneUnderClutter) {
   EXPECT_NEAR(mean_under_clutter(ClutterModel::shared_beam), 1.0, 1e-5);
 }
 
+TEST(SensorLikelihood, ToleranceWidensAndLowersTheEcho) {
+  const auto echo = table_of({{core::radians(0.5), 80.0, 1}}, ClutterModel::exclusive_beam);
+  const double wide = log_ratio(echo, nullptr, in_beam_45(84.0), {.sigma_scale = 2.0});
+  const double two_sigma = (1 - kMiss) * gaussian(2.0) / 2.0 * 150.0 / kFalse;  // 4 m are one wide sigma.
+  EXPECT_NEAR(std::exp(wide), two_sigma + std::exp(-8.0), 1e-3);
+}
+
 TEST(SensorLikelihood, AveragesOneBehindAnOwnedBeam) {
   BeamMask mask;
   const auto silent = table_of({}, ClutterModel::exclusive_beam);
@@ -113,8 +120,8 @@ TEST_P(FastAgainstPlain, AgreesEverywhere) {
     north[i] = random.uniform(-160, 160), east[i] = random.uniform(-160, 160);
     vn[i] = random.uniform(-5, 5), ve[i] = random.uniform(-5, 5);
   }
-  add_log_ratio(table, &mask, {north, east, vn, ve}, -3.0, fast);
-  add_log_ratio(table, nullptr, {north, east, vn, ve}, -3.0, free);
+  add_log_ratio(table, &mask, {north, east, vn, ve}, -3.0, {}, fast);
+  add_log_ratio(table, nullptr, {north, east, vn, ve}, -3.0, {}, free);
   for (std::size_t i = 0; i < 1000; ++i) {
     const Eigen::Vector2d p_earth(north[i] - 3 * vn[i], east[i] - 3 * ve[i]);
     // Single precision of the ranges, and 1e-6 rad of the angle, at an edge 1/0.2 beams wide.
