@@ -23,7 +23,22 @@ void add_out(CLI::App& app, Options& options) {
   app.add_option("--out", options.out, "Directory to write");
 }
 
+void add_scoring(CLI::App& app, Options& options) {
+  app.add_option("--cutoff", options.cutoff, "OSPA cut-off [m]")->capture_default_str();
+  app.add_option("--order", options.order, "OSPA order")->capture_default_str();
+  app.add_option("--truth", options.truth,
+                 "visible: targets in the field of view, coasting tracks left out; schedule: all")
+      ->capture_default_str();
+}
+
 // The flags of each command.
+
+void declare_ospa(CLI::App& app, Options& options) {
+  app.add_option("FILES", options.inputs, "TRUTH.csv and ESTIMATE.csv")->expected(2)->required();
+  add_scoring(app, options);
+  app.add_option("--times", options.times, "CSV whose time_s column names the times to average over");
+  app.add_flag("--json", options.json, "Print one line of JSON");
+}
 
 void declare_experiment(CLI::App& app, Options& options) {
   app.add_option("NAME", options.method, "Which experiment");
@@ -50,6 +65,8 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
+    {"ospa", "Scores estimated positions against the truth, offline.",
+     "lookout ospa out/run/truth.csv out/run/tracks.csv --cutoff 20", declare_ospa, ospa_command},
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
      "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
      experiment_command},

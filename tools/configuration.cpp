@@ -1,0 +1,40 @@
+#include "tools/configuration.hpp"
+
+#include <algorithm>
+
+#include "core/input_error.hpp"
+#include "core/yaml_reader.hpp"
+
+namespace lookout::tools {
+namespace {
+
+void read_configuration(const core::YamlMap& map, Configuration& configuration) {
+  if (const auto part = map.map("sensor")) core::read_sonar_params(*part, configuration.sensor);
+  if (const auto part = map.map("estimator")) csht::read_estimator_params(*part, configuration.estimator);
+  if (const auto part = map.map("tracker")) tracking::read_tracker_params(*part, configuration.tracker);
+  if (const auto part = map.map("output")) tracking::read_output_params(*part, configuration.tracker);
+  map.finish();
+}
+
+/// The registry name that a flag gives, checked against the registry.
+void apply_name(const std::string& flag, const std::string& given, const std::vector<std::string>& names,
+                std::string& name) {
+  if (given.empty()) return;
+  std::string accepted;
+  for (const auto& known : names) accepted += " " + known;
+  if (std::find(names.begin(), names.end(), given) == names.end())
+    throw core::InputError(flag + ": got `" + given + "`, expected one of:" + accepted);
+  name = given;
+}
+
+}  // namespace
+
+Configuration load_configuration(const Options& options) {
+  Configuration configuration;
+  if (!options.config.empty()) read_configuration(core::YamlMap::load_file(options.config), configuration);
+  apply_name("--estimator", options.estimator, csht::estimator_names(), configuration.estimator.name);
+  apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
+  return configuration;
+}
+
+}  // namespace lookout::tools

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/sonar_params.hpp"
+#include "csht/estimator_registry.hpp"
+#include "tools/options.hpp"
+#include "tracking/tracker_registry.hpp"
+
+namespace lookout::tools {
+
+/// Everything that --config can set, before a recording's sonar.yaml and after the defaults.
+struct Configuration {
+  core::SonarParams sensor;
+  csht::EstimatorParams estimator;
+  tracking::TrackerParams tracker;
+};
+
+/// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.
+/// @throws core::InputError naming file, line, column and key, or the flag.
+Configuration load_configuration(const Options& options);
+
+}  // namespace lookout::tools
