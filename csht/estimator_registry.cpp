@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "core/yaml_reader.hpp"
+#include "csht/csht_estimator.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -18,9 +19,19 @@ struct Entry {
   Factory make;
 };
 
+std::unique_ptr<MotionEstimator> make_csht(const EstimatorParams& params, const core::SonarParams& sonar,
+                                           std::uint64_t) {
+  CshtParams csht = params.use == EstimatorUse::window ? CshtParams::window() : CshtParams::tracking();
+  csht.window_scans = params.window_scans;
+  csht.first_estimate_scans = params.first_estimate_scans;
+  return std::make_unique<CshtEstimator>(csht, sonar);
+}
+
 /// One line an estimator.
 const std::vector<Entry>& registry() {
-  static const std::vector<Entry> entries{};
+  static const std::vector<Entry> entries{
+      {"csht", make_csht},
+  };
   return entries;
 }
 

@@ -3,11 +3,14 @@
 #include <array>
 
 #include "core/input_error.hpp"
+#include "tools/experiments/csht_window.hpp"
 
 namespace lookout::tools {
 namespace {
 
-const std::array<ExperimentEntry, 0> kExperiments{{}};
+const std::array kExperiments{
+    ExperimentEntry{"csht-window", make_csht_window},
+};
 
 }  // namespace
 

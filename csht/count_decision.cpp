@@ -1,0 +1,129 @@
+#include "csht/count_decision.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+void require(bool holds, const char* expected, double value) {
+  if (!holds) throw std::invalid_argument(std::string(expected) + ", got " + std::to_string(value));
+}
+
+}  // namespace
+
+CountDecision::CountDecision(const CountDecisionParams& params) : params_(params) {
+  require(params.min_support > 0, "min_support must be > 0", params.min_support);
+  require(params.offered_support > 0, "offered_support must be > 0", params.offered_support);
+  require(params.relative_support >= 0.0 && params.relative_support <= 1.0,
+          "relative_support must be in [0, 1]", params.relative_support);
+  require(params.clutter_regulariser > 0.0, "clutter_regulariser must be > 0", params.clutter_regulariser);
+  require(params.foreign_echo <= 0.0, "foreign_echo must be <= 0", params.foreign_echo);
+  require(params.beam_sigma > 0.0, "beam_sigma must be > 0", params.beam_sigma);
+  require(params.edge >= 0.0 && params.edge <= 0.5, "edge must be in [0, 0.5]", params.edge);
+  require(params.targets_in_view > 0.0, "targets_in_view must be > 0", params.targets_in_view);
+  require(params.prior_speed > 0.0, "prior_speed must be > 0", params.prior_speed);
+}
+
+void CountDecision::prepare(const HoughWindow& window) {
+  num_beams_ = window.sonar().num_beams;
+  reported_.assign(window.scans().size() * static_cast<std::size_t>(num_beams_), -1);
+  for (std::size_t k = 0; k < window.samples().size(); ++k) {
+    const auto& sample = window.samples()[k];
+    if (sample.beam < 0 || sample.beam >= num_beams_) continue;
+    reported_[static_cast<std::size_t>(sample.scan * num_beams_ + sample.beam)] = static_cast<int>(k);
+  }
+}
+
+double CountDecision::log_evidence(const Candidate& candidate, const HoughWindow& window, double epoch,
+                                   const std::vector<char>& free, int num_free) const {
+  std::array<View, kMaxWindowScans> views;
+  int in_view = 0;
+  for (std::size_t s = 0; s < window.scans().size(); ++s) {
+    views[s] = view(candidate, window, s, epoch);
+    in_view += views[s].visible ? 1 : 0;
+  }
+  const Rates rates = this->rates(candidate, window, in_view, num_free);
+  double sum = log_prior_volume(candidate, window.sonar());
+  for (std::size_t s = 0; s < window.scans().size(); ++s) {
+    if (!views[s].visible) continue;
+    if (candidate.own[s] < 0) {
+      sum += unseen(window, s, views[s].point, free, rates);
+      continue;
+    }
+    const auto& sample = window.samples()[static_cast<std::size_t>(candidate.own[s])];
+    sum += rates.detection - 0.5 * sample.distance(sample.p_earth - candidate.position(sample.time - epoch));
+  }
+  return sum;
+}
+
+CountDecision::View CountDecision::view(const Candidate& candidate, const HoughWindow& window,
+                                        std::size_t scan, double epoch) const {
+  const auto& at = window.scans()[scan];
+  View view;
+  view.point = core::observe(window.sonar(), at.T_earth_sonar, candidate.position(at.time - epoch));
+  view.visible = candidate.own[scan] >= 0 || view.point.visible();
+  return view;
+}
+
+CountDecision::Rates CountDecision::rates(const Candidate& candidate, const HoughWindow& window, int in_view,
+                                          int num_free) const {
+  const auto& sonar = window.sonar();
+  const double others = num_free - candidate.support + params_.clutter_regulariser;
+  const double beams = static_cast<double>(window.scans().size()) * sonar.num_beams;
+  const double p_detection = (candidate.support + 0.5) / (in_view + 1.0);
+  const double p_false = std::min(others / beams, 1.0 - 1.0 / beams);
+  const double clutter_density = others / (beams * sonar.max_range);  // per beam and metre
+  const double own_density = 1.0 / (2.0 * kPi * sonar.range_sigma * params_.beam_sigma);
+  return {std::log(p_detection * own_density / clutter_density), std::log1p(-p_detection),
+          std::log1p(-p_detection) - (sonar.point_sensor() ? 0.0 : std::log1p(-p_false))};
+}
+
+/// What a scan without an own echo says: of the target's beam and, near its edge, of the one next door.
+double CountDecision::unseen(const HoughWindow& window, std::size_t scan, const core::SonarPoint& point,
+                             const std::vector<char>& free, const Rates& rates) const {
+  const auto& sonar = window.sonar();
+  if (sonar.point_sensor()) return rates.miss;
+  const double term = beam_term(window, scan, point.beam, point.range, free, rates);
+  const double off = (point.bearing - sonar.beam_centre(point.beam)) / sonar.bearing_step;
+  const int neighbour = point.beam + (off > 0.0 ? 1 : -1);
+  if (std::abs(off) < 0.5 - params_.edge || neighbour < 0 || neighbour >= num_beams_) return term;
+  return std::max(term, beam_term(window, scan, neighbour, point.range, free, rates));
+}
+
+double CountDecision::beam_term(const HoughWindow& window, std::size_t scan, int beam, double range,
+                                const std::vector<char>& free, const Rates& rates) const {
+  const int reported =
+      reported_[scan * static_cast<std::size_t>(num_beams_) + static_cast<std::size_t>(beam)];
+  if (reported < 0) return rates.silence;
+  const auto index = static_cast<std::size_t>(reported);
+  // A nearer target owns the beam that it shares: the scan then says nothing of this one.
+  if (!free[index] && window.samples()[index].range < range) return 0.0;
+  return params_.foreign_echo;
+}
+
+/// ln of prior density x (2 pi)^2 sqrt(det C), the volume that the fit leaves to the state.
+double CountDecision::log_prior_volume(const Candidate& candidate, const core::SonarParams& sonar) const {
+  const double sector = std::min(sonar.num_beams * sonar.bearing_step, 2.0 * kPi);
+  const double area = 0.5 * sector * sonar.max_range * sonar.max_range;
+  const double velocities = kPi * params_.prior_speed * params_.prior_speed;
+  return 0.5 * std::log(candidate.covariance.determinant()) + 2.0 * std::log(2.0 * kPi) +
+         std::log(params_.targets_in_view / (area * velocities));
+}
+
+bool CountDecision::accepts(const Candidate& candidate, int best_support) const {
+  const bool enough =
+      candidate.support >= (candidate.offered ? params_.offered_support : params_.min_support);
+  const bool evident =
+      candidate.log_evidence > (candidate.offered ? params_.offered_evidence : params_.min_evidence);
+  return enough && evident && candidate.support >= params_.relative_support * best_support;
+}
+
+}  // namespace lookout::csht

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <vector>
+
+#include "core/field_of_view.hpp"
+#include "csht/candidate.hpp"
+#include "csht/hough_window.hpp"
+
+namespace lookout::csht {
+
+struct CountDecisionParams {
+  double min_evidence = 0.5;         ///< Log evidence that a new target needs.
+  double offered_evidence = -3.0;    ///< The same of a candidate that a confirmed track offered.
+  int min_support = 3;               ///< Own scans that a new target needs, > 0.
+  int offered_support = 3;           ///< The same of an offered one, > 0.
+  double relative_support = 0.36;    ///< Own scans in shares of the best target's, in [0, 1]; 0 where targets
+                                     ///< enter and leave, for it assumes that all are there throughout.
+  double clutter_regulariser = 4.0;  ///< Samples added to the clutter count, so that an empty sea has a rate,
+                                     ///< > 0.
+  double foreign_echo = -3.0;        ///< Log likelihood ratio of another range in the target's beam, <= 0.
+  double beam_sigma = 0.33;  ///< Standard deviation of a bearing [beams], > 0; 1/sqrt(12) and a little more.
+  double edge = 0.25;        ///< So near to its beam's edge [beams] the echo may lie next door, in [0, .5].
+  double targets_in_view = 2.0;  ///< Prior mean number of targets in the field of view, > 0.
+  double prior_speed = 5.0;      ///< Their speeds are spread over a disc of this radius [m/s], > 0.
+};
+
+/// Decides which candidates are targets, after both axes: the log evidence of a target against clutter, from
+/// what its beams reported and did not, without P_F, P_M or the number of targets.
+class CountDecision {
+ public:
+  /// @throws std::invalid_argument on a parameter out of range.
+  explicit CountDecision(const CountDecisionParams& params);
+
+  /// Notes which beam reported what; before any other call for a new window.
+  void prepare(const HoughWindow& window);
+
+  /// Log evidence of a refitted candidate: the likelihood ratio of its scans at the fit, integrated over the
+  /// state (Laplace) and weighted with the prior density.
+  /// @param free per sample whether no accepted target owns it; @param num_free how many are.
+  double log_evidence(const Candidate& candidate, const HoughWindow& window, double epoch,
+                      const std::vector<char>& free, int num_free) const;
+
+  /// Whether the evidence and the support suffice, `best_support` being that of the best target so far.
+  bool accepts(const Candidate& candidate, int best_support) const;
+
+ private:
+  /// What the window says of its own rates, given one candidate.
+  struct Rates {
+    double detection = 0.5;  ///< Log of the density of an own echo over that of clutter, at its centre.
+    double miss = 0.0;       ///< ln(1 - P_D).
+    double silence = 0.0;    ///< ln((1 - P_D) / (1 - P_F)).
+  };
+  struct View {
+    core::SonarPoint point;
+    bool visible = false;
+  };
+  View view(const Candidate& candidate, const HoughWindow& window, std::size_t scan, double epoch) const;
+  Rates rates(const Candidate& candidate, const HoughWindow& window, int in_view, int num_free) const;
+  double unseen(const HoughWindow& window, std::size_t scan, const core::SonarPoint& point,
+                const std::vector<char>& free, const Rates& rates) const;
+  double beam_term(const HoughWindow& window, std::size_t scan, int beam, double range,
+                   const std::vector<char>& free, const Rates& rates) const;
+  double log_prior_volume(const Candidate& candidate, const core::SonarParams& sonar) const;
+
+  CountDecisionParams params_;
+  std::vector<int> reported_;  ///< Scans x beams: index of the beam's sample, -1 for silence.
+  int num_beams_ = 0;
+};
+
+}  // namespace lookout::csht

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/sonar_params.hpp"
+#include "csht/count_decision.hpp"
+#include "csht/hough_space.hpp"
+#include "csht/line_classes.hpp"
+#include "csht/refit.hpp"
+#include "csht/single_line.hpp"
+#include "csht/spatial_correlation.hpp"
+
+namespace lookout::csht {
+
+/// All parameters of the faithful estimator. Two documented sets; neither is changed per cell of a table. How
+/// each value was found: docs/csht.md.
+struct CshtParams {
+  int window_scans = 20;         ///< W, 3 to kMaxWindowScans. [Yan2018] section V.
+  int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
+  int passes = 3;                ///< Searches of what is not explained yet at most, > 0.
+  double intercept_step = 0.5;   ///< Of the grid, in the range sigma, > 0.
+  double velocity_step = 0.7;    ///< Of the grid, in range sigma / half the window's duration, > 0.
+  double cross_floor = 0.2;      ///< Added to the error across the line of sight [m], >= 0.
+  double top_speed = 4.0 / 3.0;  ///< Fastest fit, in the sensor's max_speed (that of one axis), > 0.
+  VoteParams votes;
+  LineClassesParams classes;
+  SpatialCorrelationParams correlation;
+  SingleLineParams single_line;
+  RefitParams refit;             ///< Its max_speed comes from `top_speed`.
+  CountDecisionParams decision;  ///< Its prior_speed comes from the sensor's max_speed.
+
+  /// One full window in which every target is present: the set of the window tables.
+  static CshtParams window() { return {}; }
+  /// A stream in which targets come and go, and confirmed tracks are offered back.
+  static CshtParams tracking();
+};
+
+/// The grid whose steps follow the sensor's accuracy and whose rows reach its max_speed.
+HoughGrid csht_grid(const CshtParams& params, const core::SonarParams& sonar);
+
+/// Largest standard deviation of a sample along an axis [m], at the sonar's range limit.
+double largest_sample_sigma(const core::SonarParams& sonar);
+
+}  // namespace lookout::csht

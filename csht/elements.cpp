@@ -1,0 +1,21 @@
+#include "csht/elements.hpp"
+
+namespace lookout::csht {
+
+core::MotionElement to_element(const Candidate& candidate, const HoughWindow& window, double epoch) {
+  const auto& first = window.scans().front();
+  const auto& last = window.scans().back();
+  Eigen::Matrix4d transition = Eigen::Matrix4d::Identity();
+  transition(0, 2) = transition(1, 3) = last.time - epoch;
+  core::MotionElement element;
+  element.initial_utime = first.utime;
+  element.initial_position = candidate.position(first.time - epoch);
+  element.velocity = candidate.state.tail<2>();
+  element.position = candidate.position(last.time - epoch);
+  element.covariance = transition * candidate.covariance * transition.transpose();
+  element.score = candidate.log_evidence;
+  element.support = candidate.support;
+  return element;
+}
+
+}  // namespace lookout::csht

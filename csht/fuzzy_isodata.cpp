@@ -1,0 +1,144 @@
+#include "csht/fuzzy_isodata.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+namespace {
+
+void require(bool holds, const char* expected, double value) {
+  if (!holds) throw std::invalid_argument(std::string(expected) + ", got " + std::to_string(value));
+}
+
+const FuzzyIsodataParams& validated(const FuzzyIsodataParams& p) {
+  require(p.core_membership >= 0.0 && p.core_membership < 1.0, "core_membership must be in [0, 1)",
+          p.core_membership);
+  require(p.aggregation >= 0.0 && p.aggregation <= 1.0, "aggregation must be in [0, 1]", p.aggregation);
+  require(p.combination >= 0.0, "combination must be >= 0", p.combination);
+  require(p.division_spread >= 0.0, "division_spread must be >= 0", p.division_spread);
+  require(p.division_step > 0.0, "division_step must be > 0", p.division_step);
+  require(p.deletion >= 0.0, "deletion must be >= 0", p.deletion);
+  require(p.rounds > 0, "rounds must be > 0", p.rounds);
+  require(p.sweeps > 0, "sweeps must be > 0", p.sweeps);
+  require(p.at_rest > 0.0, "at_rest must be > 0", p.at_rest);
+  require(p.division_rounds >= 0.0 && p.division_rounds <= 1.0, "division_rounds must be in [0, 1]",
+          p.division_rounds);
+  return p;
+}
+
+double distance(const FeaturePoint& a, const FeaturePoint& b) {
+  return static_cast<double>(std::hypot(a.x - b.x, a.y - b.y));
+}
+
+}  // namespace
+
+FuzzyIsodata::FuzzyIsodata(const FuzzyIsodataParams& params)
+    : params_(validated(params)), partition_(params.exponent) {}
+
+std::span<const FeaturePoint> FuzzyIsodata::cluster(const WeightedPoints& points,
+                                                    std::span<const FeaturePoint> first) {
+  centres_.assign(first.begin(), first.end());
+  converged_ = false;
+  if (points.size() == 0) centres_.clear();
+  for (int round = 0; round < params_.rounds && !centres_.empty() && !converged_; ++round) {
+    update_to_rest(points);
+    const bool may_divide = round < params_.division_rounds * params_.rounds;
+    converged_ = adjust(points, may_divide) == Adjustment::none;
+  }
+  if (!converged_ && !centres_.empty()) update_to_rest(points);
+  return centres_;
+}
+
+void FuzzyIsodata::update_to_rest(const WeightedPoints& points) {
+  for (int sweep = 0; sweep < params_.sweeps; ++sweep) {
+    if (static_cast<double>(partition_.update(points, centres_)) < params_.at_rest) return;
+  }
+}
+
+FuzzyIsodata::Adjustment FuzzyIsodata::adjust(const WeightedPoints& points, bool may_divide) {
+  statistics_ = partition_.statistics(points, centres_, params_.core_membership);
+  if (delete_one(points.total_weight()) == Adjustment::done) return Adjustment::done;
+  if (combine_closest() == Adjustment::done) return Adjustment::done;
+  return may_divide ? divide_one() : Adjustment::none;
+}
+
+double FuzzyIsodata::division_threshold() const {
+  double sum = 0.0;
+  for (const auto& pattern : statistics_) sum += pattern.deviation[0] + pattern.deviation[1];
+  const auto patterns = static_cast<double>(statistics_.size());
+  return sum / (2.0 * patterns) * (1.0 + std::pow(patterns, -params_.division_spread));  // Eq. (28), (29)
+}
+
+// The pattern with the smallest core among those of Eq. (36) and (37); the last pattern stays.
+FuzzyIsodata::Adjustment FuzzyIsodata::delete_one(double total_weight) {
+  if (centres_.size() < 2) return Adjustment::none;
+  const double smallest_core = params_.deletion * total_weight / static_cast<double>(centres_.size());
+  const double spread = division_threshold();
+  std::size_t worst = centres_.size();
+  for (std::size_t i = 0; i < centres_.size(); ++i) {
+    const auto& pattern = statistics_[i];
+    const bool too_small = pattern.core_count <= smallest_core;
+    const bool scattered = pattern.aggregation() <= params_.aggregation && pattern.deviation[0] <= spread &&
+                           pattern.deviation[1] <= spread;
+    if (!too_small && !scattered) continue;
+    if (worst == centres_.size() || pattern.core_count < statistics_[worst].core_count) worst = i;
+  }
+  if (worst == centres_.size()) return Adjustment::none;
+  centres_.erase(centres_.begin() + static_cast<std::ptrdiff_t>(worst));
+  return Adjustment::done;
+}
+
+FuzzyIsodata::Adjustment FuzzyIsodata::combine_closest() {
+  const std::size_t patterns = centres_.size();
+  if (patterns < 2) return Adjustment::none;
+  double sum = 0.0, closest = std::numeric_limits<double>::infinity();
+  std::size_t first = 0, second = 0;
+  for (std::size_t i = 0; i < patterns; ++i) {
+    for (std::size_t j = i + 1; j < patterns; ++j) {
+      const double apart = distance(centres_[i], centres_[j]);
+      sum += apart;
+      if (apart >= closest) continue;
+      closest = apart;
+      first = i;
+      second = j;
+    }
+  }
+  const auto k = static_cast<double>(patterns);
+  const double mean = sum / (0.5 * k * (k - 1.0));
+  if (closest >= mean * (1.0 - std::pow(k, -params_.combination))) return Adjustment::none;  // Eq. (25), (26)
+  const double a = statistics_[first].membership, b = statistics_[second].membership;
+  const auto share = static_cast<float>(a / (a + b));
+  centres_[first] = {share * centres_[first].x + (1.0F - share) * centres_[second].x,
+                     share * centres_[first].y + (1.0F - share) * centres_[second].y};  // Eq. (24)
+  centres_.erase(centres_.begin() + static_cast<std::ptrdiff_t>(second));
+  return Adjustment::done;
+}
+
+// The widest pattern of those with C_i <= A and S_ij > F_std. Eq. (34), (35).
+FuzzyIsodata::Adjustment FuzzyIsodata::divide_one() {
+  const double threshold = division_threshold();
+  double widest = threshold;
+  std::size_t pattern = centres_.size();
+  int feature = 0;
+  for (std::size_t i = 0; i < centres_.size(); ++i) {
+    if (statistics_[i].aggregation() > params_.aggregation) continue;
+    for (int j = 0; j < 2; ++j) {
+      if (statistics_[i].deviation[j] <= widest) continue;
+      widest = statistics_[i].deviation[j];
+      pattern = i;
+      feature = j;
+    }
+  }
+  if (pattern == centres_.size()) return Adjustment::none;
+  const auto step = static_cast<float>(params_.division_step * widest);
+  FeaturePoint other = centres_[pattern];
+  (feature == 0 ? other.x : other.y) -= step;
+  (feature == 0 ? centres_[pattern].x : centres_[pattern].y) += step;
+  centres_.push_back(other);
+  return Adjustment::done;
+}
+
+}  // namespace lookout::csht

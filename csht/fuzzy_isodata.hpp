@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "csht/fuzzy_partition.hpp"
+
+namespace lookout::csht {
+
+/// The letters of [Yan2018] section III.B. Defaults: the set that works for every cell of the window tables.
+struct FuzzyIsodataParams {
+  double exponent = 2.0;         ///< m of the memberships, > 1.
+  double core_membership = 0.5;  ///< theta: a membership above it counts as the pattern's core, in [0, 1).
+  double aggregation = 0.7;      ///< A: a pattern above it is compact, in [0, 1].
+  double combination = 0.02;     ///< alpha_c: larger combines patterns farther apart, >= 0.
+  double division_spread = 1.0;  ///< gamma: larger divides more as the patterns grow in number, >= 0.
+  double division_step = 0.5;    ///< lambda_d: how far the halves are put apart, > 0.
+  double deletion = 0.05;        ///< delta: smallest core, in shares of the mean pattern, >= 0.
+  int rounds = 30;               ///< Rounds of class adjustment at most, > 0.
+  int sweeps = 8;                ///< Updates of the centres between two adjustments at most, > 0.
+  double at_rest = 0.02;         ///< Centres that move less are at rest [grid steps], > 0.
+  double division_rounds = 2.0 / 3.0;  ///< Share of the rounds in which patterns may divide, in [0, 1].
+};
+
+/// Fuzzy ISODATA on weighted points: fuzzy c-means whose patterns are combined, divided and deleted.
+/// [Yan2018] section III.B.
+class FuzzyIsodata {
+ public:
+  /// @throws std::invalid_argument on a parameter out of range.
+  explicit FuzzyIsodata(const FuzzyIsodataParams& params);
+
+  /// Clusters `points` from the centres `first` (at least one of each, else nothing comes back).
+  /// @return the centres of the patterns; valid until the next call.
+  std::span<const FeaturePoint> cluster(const WeightedPoints& points, std::span<const FeaturePoint> first);
+
+  /// Whether the last call came to rest before its rounds ran out.
+  bool converged() const { return converged_; }
+
+ private:
+  enum class Adjustment { none, done };
+
+  void update_to_rest(const WeightedPoints& points);
+  Adjustment adjust(const WeightedPoints& points, bool may_divide);
+  Adjustment delete_one(double total_weight);
+  Adjustment combine_closest();
+  Adjustment divide_one();
+  double division_threshold() const;  ///< F_std. Eq. (28).
+
+  FuzzyIsodataParams params_;
+  FuzzyPartition partition_;
+  std::vector<FeaturePoint> centres_;
+  std::span<const PatternStatistics> statistics_;
+  bool converged_ = false;
+};
+
+}  // namespace lookout::csht

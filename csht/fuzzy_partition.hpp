@@ -1,0 +1,75 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace lookout::csht {
+
+/// A point of the plane of features, each axis in grid steps.
+struct FeaturePoint {
+  float x = 0.0F;
+  float y = 0.0F;
+};
+
+/// Points with weights, one weighted sample per cell of the vote matrix: the v'_ij equal samples of [Yan2018]
+/// Eq. (18)-(20). Stored by component and padded with points of no weight to whole blocks.
+class WeightedPoints {
+ public:
+  static constexpr int kBlock = 16;  ///< Points that are worked on together.
+
+  void clear();
+  void push_back(FeaturePoint point, float weight);
+  void pad();  ///< Completes the last block; call after the last `push_back`.
+
+  int size() const { return size_; }  ///< Without padding.
+  int num_blocks() const { return static_cast<int>(x_.size()) / kBlock; }
+  const float* x(int block) const { return x_.data() + block * kBlock; }
+  const float* y(int block) const { return y_.data() + block * kBlock; }
+  const float* weight(int block) const { return weight_.data() + block * kBlock; }
+  double total_weight() const { return total_weight_; }
+  /// Weighted mean of the points; they must have weight.
+  FeaturePoint mean() const;
+
+ private:
+  int size_ = 0;
+  double total_weight_ = 0.0;
+  std::vector<float> x_, y_, weight_;
+};
+
+/// What the class adjustment needs to know of one pattern.
+struct PatternStatistics {
+  double membership = 0.0;       ///< Sum of memberships, of [Yan2018] Eq. (24).
+  double core_membership = 0.0;  ///< Q_i, sum of the memberships above theta. Eq. (31).
+  double core_count = 0.0;       ///< T_i, how many samples have one. Eq. (33).
+  double deviation[2] = {0, 0};  ///< S_ij along x and y [grid steps]. Eq. (27).
+
+  double aggregation() const { return core_count > 0.0 ? core_membership / core_count : 0.0; }  ///< C_i.
+};
+
+/// Weighted fuzzy c-means: memberships and centres. [Yan2018] Eq. (21)-(23).
+class FuzzyPartition {
+ public:
+  /// @param exponent m, > 1.
+  explicit FuzzyPartition(double exponent);
+
+  /// Moves `centres` to the weighted means under their memberships, once. A point that lies on a centre
+  /// belongs to it alone.
+  /// @return how far the centre that moved most has moved [grid steps].
+  float update(const WeightedPoints& points, std::span<FeaturePoint> centres);
+
+  /// Statistics of the patterns, memberships above `theta` counted as the core; valid until the next call.
+  std::span<const PatternStatistics> statistics(const WeightedPoints& points,
+                                                std::span<const FeaturePoint> centres, double theta);
+
+ private:
+  struct Sums;
+  void memberships(const WeightedPoints& points, int block, std::span<const FeaturePoint> centres);
+  float* lane(std::size_t pattern) { return membership_.data() + pattern * WeightedPoints::kBlock; }
+
+  double exponent_;
+  std::vector<float> membership_;  ///< Of one block: patterns x kBlock.
+  std::vector<float> sums_;        ///< Patterns x sums x kBlock.
+  std::vector<PatternStatistics> statistics_;
+};
+
+}  // namespace lookout::csht

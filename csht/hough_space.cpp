@@ -1,0 +1,157 @@
+#include "csht/hough_space.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+namespace {
+
+void require_positive(const char* name, double value) {
+  if (!(value > 0.0 && std::isfinite(value)))
+    throw std::invalid_argument(std::string(name) + " must be > 0, got " + std::to_string(value));
+}
+
+const HoughGrid& validated(const HoughGrid& grid) {
+  require_positive("velocity_step", grid.velocity_step);
+  require_positive("intercept_step", grid.intercept_step);
+  require_positive("max_speed", grid.max_speed);
+  require_positive("extent", grid.extent);
+  return grid;
+}
+
+VoteKernel make_kernel(const HoughGrid& grid, const VoteParams& params, double min_width, double max_sigma) {
+  require_positive("vote width", params.width);
+  require_positive("vote min_width", params.min_width);
+  if (!params.fuzzy) return VoteKernel::plain();
+  return VoteKernel::gaussian(min_width / grid.intercept_step,
+                              std::max(min_width, params.width * max_sigma) / grid.intercept_step);
+}
+
+/// Adds `sign` x the footprint; whole vectors at a time.
+void accumulate(std::int16_t* __restrict cells, const std::int16_t* __restrict values, int length, int sign) {
+  const auto factor = static_cast<std::int16_t>(sign);
+  for (int k = 0; k < length; ++k)
+    cells[k] = static_cast<std::int16_t>(cells[k] + static_cast<std::int16_t>(factor * values[k]));
+}
+
+void raise(std::int16_t* __restrict cells, const std::int16_t* __restrict values, int length) {
+  for (int k = 0; k < length; ++k) cells[k] = std::max(cells[k], values[k]);
+}
+
+/// Moves the layer's votes to the matrix; cells visited again have none left.
+void transfer(std::int16_t* __restrict cells, std::int16_t* __restrict layer, int length, int sign) {
+  accumulate(cells, layer, length, sign);
+  std::fill_n(layer, length, std::int16_t{0});
+}
+
+}  // namespace
+
+HoughSpace::HoughSpace(const HoughGrid& grid, const VoteParams& params, double range_sigma, double max_sigma)
+    : grid_(validated(grid)),
+      params_(params),
+      min_width_(params.min_width * range_sigma),
+      kernel_(make_kernel(grid, params, min_width_, max_sigma)) {
+  const int half_rows = static_cast<int>(std::ceil(grid.max_speed / grid.velocity_step));
+  rows_ = 2 * half_rows + 1;
+  first_velocity_ = -half_rows * grid.velocity_step;
+  const double cells = std::ceil(grid.extent / grid.intercept_step) + kernel_.max_length();
+  columns_ = static_cast<int>(std::bit_ceil(static_cast<unsigned>(cells)));
+  votes_.assign(static_cast<std::size_t>(rows_) * static_cast<std::size_t>(columns_), 0);
+  layer_.assign(static_cast<std::size_t>(columns_), 0);
+}
+
+void HoughSpace::clear() {
+  std::fill(votes_.begin(), votes_.end(), std::int16_t{0});
+}
+
+void HoughSpace::vote(std::span<const LineSample> samples, int sign) {
+  for (std::size_t begin = 0; begin < samples.size();) {
+    std::size_t end = begin + 1;
+    while (params_.one_vote_a_scan && end < samples.size() && samples[end].scan == samples[begin].scan) ++end;
+    vote_scan(samples.subspan(begin, end - begin), sign);
+    begin = end;
+  }
+}
+
+// [Yan2018] Eq. (15): the intercept of each sample in each row, R = H D.
+void HoughSpace::vote_scan(std::span<const LineSample> samples, int sign) {
+  const double phases_per_metre = VoteKernel::kPhases / grid_.intercept_step;
+  voters_.clear();
+  for (const auto& sample : samples) {
+    const double width = std::max(min_width_, params_.width * sample.sigma) / grid_.intercept_step;
+    voters_.push_back({(sample.position - first_velocity_ * sample.time) * phases_per_metre,
+                       grid_.velocity_step * sample.time * phases_per_metre, kernel_.width_index(width)});
+  }
+  for (int row = 0; row < rows_; ++row) {
+    std::int16_t* const votes = votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
+    std::int16_t* const layer = layer_.data();
+    if (voters_.size() == 1) {
+      over_footprint(voters_.front(), row, [&](int column, const std::int16_t* values, int length) {
+        accumulate(votes + column, values, length, sign);
+      });
+      continue;
+    }
+    for (const auto& voter : voters_)
+      over_footprint(voter, row, [&](int column, const std::int16_t* values, int length) {
+        raise(layer + column, values, length);
+      });
+    for (const auto& voter : voters_)
+      over_footprint(voter, row, [&](int column, const std::int16_t*, int length) {
+        transfer(votes + column, layer + column, length, sign);
+      });
+  }
+}
+
+/// Calls `operation(column, values, length)` for the footprint, twice where it crosses the ring's seam.
+template <typename Operation>
+void HoughSpace::over_footprint(const Voter& voter, int row, Operation operation) {
+  const auto position = static_cast<std::int64_t>(std::floor(voter.intercept - row * voter.step));
+  const Footprint footprint = kernel_.at(voter.width, static_cast<int>(position & (VoteKernel::kPhases - 1)));
+  const std::int64_t cell = position / VoteKernel::kPhases - (position % VoteKernel::kPhases < 0 ? 1 : 0);
+  const int column = static_cast<int>((cell + footprint.first) & (columns_ - 1));
+  const int length = static_cast<int>(footprint.values.size());
+  const int before_seam = std::min(length, columns_ - column);
+  operation(column, footprint.values.data(), before_seam);
+  if (before_seam < length) operation(0, footprint.values.data() + before_seam, length - before_seam);
+}
+
+VoteStatistics HoughSpace::statistics() const {
+  std::int16_t peak = 0;
+  std::int32_t sum = 0, filled = 0;
+  double total = 0.0;
+  for (int row = 0; row < rows_; ++row) {
+    const std::int16_t* const votes = votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
+    sum = 0;
+    for (int column = 0; column < columns_; ++column) {
+      peak = std::max(peak, votes[column]);
+      sum += votes[column];
+      filled += votes[column] > 0 ? 1 : 0;
+    }
+    total += sum;
+  }
+  return {static_cast<double>(peak) / kVoteUnit, filled > 0 ? total / kVoteUnit / filled : 0.0, filled};
+}
+
+void HoughSpace::cells_above(double threshold, double time, double centre,
+                             std::vector<VoteCell>& cells) const {
+  cells.clear();
+  const auto limit =
+      static_cast<std::int16_t>(std::min(std::floor(threshold * kVoteUnit), static_cast<double>(INT16_MAX)));
+  for (int row = 0; row < rows_; ++row) {
+    const std::int16_t* const votes = votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
+    const double drift = velocity(row) * time;
+    const auto lowest =
+        static_cast<std::int64_t>(std::floor((centre - drift) / grid_.intercept_step)) - columns_ / 2;
+    for (int column = 0; column < columns_; ++column) {
+      if (votes[column] <= limit) continue;
+      const std::int64_t cell = lowest + ((column - lowest) & (columns_ - 1));
+      const double intercept = (static_cast<double>(cell) + 0.5) * grid_.intercept_step + drift;
+      cells.push_back({velocity(row), intercept, static_cast<double>(votes[column]) / kVoteUnit});
+    }
+  }
+}
+
+}  // namespace lookout::csht

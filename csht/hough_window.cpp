@@ -1,0 +1,84 @@
+#include "csht/hough_window.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+#include "core/field_of_view.hpp"
+#include "csht/scan_to_detections.hpp"
+
+namespace lookout::csht {
+
+HoughWindow::HoughWindow(int window_scans, const core::SonarParams& sonar, double cross_floor)
+    : window_scans_(window_scans), sonar_(sonar), cross_floor_(cross_floor) {
+  if (window_scans < 1)
+    throw std::invalid_argument("window_scans must be > 0, got " + std::to_string(window_scans));
+  if (!(cross_floor >= 0.0))
+    throw std::invalid_argument("cross_floor must be >= 0, got " + std::to_string(cross_floor));
+  const auto returns = static_cast<std::size_t>(sonar.num_beams);
+  scans_.reserve(static_cast<std::size_t>(window_scans));
+  samples_.reserve(returns * static_cast<std::size_t>(window_scans));
+  detections_.reserve(returns);
+  for (auto& line : lines_) line.reserve(samples_.capacity());
+  for (auto& line : forgotten_) line.reserve(returns);
+}
+
+void HoughWindow::add(const core::PosedScan& posed) {
+  if (!anchored_) anchor_ = posed.scan.utime;
+  anchored_ = true;
+  for (auto& line : forgotten_) line.clear();
+  if (full()) forget_oldest();
+  sonar_ = core::with_geometry_of(posed.scan, sonar_);
+  const int index = static_cast<int>(scans_.size());
+  scan_to_detections(posed, index, detections_);
+  const double time = core::seconds(posed.scan.utime - anchor_);
+  scans_.push_back({posed.scan.utime, time, posed.T_earth_sonar, static_cast<int>(samples_.size()),
+                    static_cast<int>(detections_.size())});
+  for (const auto& detection : detections_) {
+    const WindowSample sample = sample_of(detection, time);
+    samples_.push_back(sample);
+    for (int axis = 0; axis < 2; ++axis) {
+      const double along = sample.line_of_sight[axis], across = sample.line_of_sight[1 - axis];
+      const double sigma =
+          std::sqrt(along * along * sample.range_variance + across * across * sample.cross_variance);
+      lines_[axis].push_back({scan_count_, time, sample.p_earth[axis], sigma});
+    }
+  }
+  ++scan_count_;
+}
+
+void HoughWindow::forget_oldest() {
+  const int gone = scans_.front().num_samples;
+  for (int axis = 0; axis < 2; ++axis) {
+    forgotten_[axis].assign(lines_[axis].begin(), lines_[axis].begin() + gone);
+    lines_[axis].erase(lines_[axis].begin(), lines_[axis].begin() + gone);
+  }
+  samples_.erase(samples_.begin(), samples_.begin() + gone);
+  scans_.erase(scans_.begin());
+  for (auto& scan : scans_) scan.first_sample -= gone;
+  for (auto& sample : samples_) --sample.scan;
+}
+
+WindowSample HoughWindow::sample_of(const core::Detection& detection, double time) const {
+  const double cross = detection.range * sonar_.bearing_sigma_or_default();
+  WindowSample sample;
+  sample.scan = detection.scan;
+  sample.beam = detection.beam;
+  sample.time = time;
+  sample.range = detection.range;
+  sample.p_earth = detection.p_earth;
+  sample.line_of_sight = {std::cos(detection.azimuth), std::sin(detection.azimuth)};
+  sample.range_variance = sonar_.range_sigma * sonar_.range_sigma;
+  sample.cross_variance = cross * cross + cross_floor_ * cross_floor_;
+  return sample;
+}
+
+std::span<const LineSample> HoughWindow::newest_lines(int axis) const {
+  if (scans_.empty()) return {};
+  return lines(axis).last(static_cast<std::size_t>(scans_.back().num_samples));
+}
+
+double HoughWindow::centre_time() const {
+  return scans_.empty() ? 0.0 : 0.5 * (scans_.front().time + scans_.back().time);
+}
+
+}  // namespace lookout::csht

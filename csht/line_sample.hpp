@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+namespace lookout::csht {
+
+/// One coordinate of a detection: a point of the line position = intercept + velocity * time.
+struct LineSample {
+  std::int64_t scan = 0;  ///< Number of its scan; samples of one scan stand together.
+  double time = 0.0;      ///< [s].
+  double position = 0.0;  ///< [m].
+  double sigma = 1.0;     ///< Standard deviation of `position` [m].
+};
+
+/// A line at a reference time of the caller's choice.
+struct Line {
+  double velocity = 0.0;   ///< [m/s].
+  double intercept = 0.0;  ///< Position at the reference time [m].
+};
+
+}  // namespace lookout::csht

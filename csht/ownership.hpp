@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "csht/candidate.hpp"
+#include "csht/count_decision.hpp"
+#include "csht/hough_window.hpp"
+#include "csht/refit.hpp"
+
+namespace lookout::csht {
+
+/// Gives every sample at most one owner: the best candidate is accepted first and takes its samples away,
+/// those that shared them are fitted again to what is left. This merges duplicates and resolves crossings.
+class Ownership {
+ public:
+  Ownership(const RefitParams& refit, const CountDecisionParams& decision);
+
+  /// Forgets the targets; all samples of the window are free.
+  void start(const HoughWindow& window, double epoch);
+
+  /// Refits the candidates and accepts them, the best first, until none is good enough. Overwrites them.
+  /// @return how many were accepted.
+  int accept(std::vector<Candidate>& candidates, const HoughWindow& window);
+
+  std::span<const Candidate> accepted() const { return accepted_; }
+  const std::vector<char>& free() const { return free_; }  ///< Per sample of the window.
+
+ private:
+  void refit_all(std::vector<Candidate>& candidates, const HoughWindow& window);
+  void score_all(std::vector<Candidate>& candidates, const HoughWindow& window) const;
+  /// The acceptable candidate with the most evidence; null where there is none.
+  const Candidate* best(const std::vector<Candidate>& candidates) const;
+  void take_samples(const Candidate& candidate);
+  void refit_touched(std::vector<Candidate>& candidates, const HoughWindow& window);
+
+  Refit refit_;
+  CountDecision decision_;
+  double epoch_ = 0.0;
+  int num_free_ = 0;
+  int best_support_ = 0;
+  std::vector<char> free_;
+  std::vector<Candidate> accepted_;
+};
+
+}  // namespace lookout::csht

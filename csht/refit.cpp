@@ -1,0 +1,76 @@
+#include "csht/refit.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+
+Refit::Refit(const RefitParams& params) : params_(params) {
+  for (const double slack : params.slack)
+    if (!(slack >= 0.0)) throw std::invalid_argument("slack must be >= 0, got " + std::to_string(slack));
+  if (!(params.gate > 0.0))
+    throw std::invalid_argument("gate must be > 0, got " + std::to_string(params.gate));
+  if (params.min_support < 2)
+    throw std::invalid_argument("min_support must be >= 2, got " + std::to_string(params.min_support));
+  if (!(params.max_speed > 0.0))
+    throw std::invalid_argument("max_speed must be > 0, got " + std::to_string(params.max_speed));
+}
+
+bool Refit::fit(Candidate& candidate, const HoughWindow& window, double epoch,
+                const std::vector<char>& free) const {
+  for (const double slack : params_.slack) {
+    choose_samples(candidate, window, epoch, free, slack);
+    if (candidate.support < params_.min_support || !least_squares(candidate, window, epoch)) return false;
+  }
+  return candidate.state.tail<2>().norm() <= params_.max_speed;
+}
+
+void Refit::choose_samples(Candidate& candidate, const HoughWindow& window, double epoch,
+                           const std::vector<char>& free, double slack) const {
+  const auto samples = window.samples();
+  candidate.support = 0;
+  for (std::size_t s = 0; s < window.scans().size(); ++s) {
+    const auto& scan = window.scans()[s];
+    const Eigen::Vector2d p_earth = candidate.position(scan.time - epoch);
+    double nearest = params_.gate;
+    candidate.own[s] = -1;
+    for (int k = scan.first_sample; k < scan.first_sample + scan.num_samples; ++k) {
+      const auto index = static_cast<std::size_t>(k);
+      if (!free[index]) continue;
+      const double distance = samples[index].distance(samples[index].p_earth - p_earth, slack);
+      if (distance >= nearest) continue;
+      nearest = distance;
+      candidate.own[s] = k;
+    }
+    if (candidate.own[s] >= 0) ++candidate.support;
+  }
+}
+
+bool least_squares(Candidate& candidate, const HoughWindow& window, double epoch) {
+  Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d right = Eigen::Vector4d::Zero();
+  for (std::size_t s = 0; s < window.scans().size(); ++s) {
+    if (candidate.own[s] < 0) continue;
+    const auto& sample = window.samples()[static_cast<std::size_t>(candidate.own[s])];
+    const Eigen::Vector2d u = sample.line_of_sight, w(-u.y(), u.x());
+    const Eigen::Matrix2d weight =
+        u * u.transpose() / sample.range_variance + w * w.transpose() / sample.cross_variance;
+    const double t = sample.time - epoch;
+    information.topLeftCorner<2, 2>() += weight;
+    information.topRightCorner<2, 2>() += t * weight;
+    information.bottomRightCorner<2, 2>() += t * t * weight;
+    const Eigen::Vector2d weighted = weight * sample.p_earth;
+    right.head<2>() += weighted;
+    right.tail<2>() += t * weighted;
+  }
+  information.bottomLeftCorner<2, 2>() = information.topRightCorner<2, 2>().transpose();
+  const Eigen::LLT<Eigen::Matrix4d> factor(information);
+  if (factor.info() != Eigen::Success) return false;
+  candidate.state = factor.solve(right);
+  candidate.covariance = factor.solve(Eigen::Matrix4d::Identity());
+  return candidate.state.allFinite() && candidate.covariance.allFinite();
+}
+
+}  // namespace lookout::csht

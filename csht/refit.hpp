@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "csht/candidate.hpp"
+#include "csht/hough_window.hpp"
+
+namespace lookout::csht {
+
+struct RefitParams {
+  /// Added to the error when samples are chosen, round by round [m], >= 0: a coarse start finds its samples,
+  /// the last round takes only what fits.
+  std::array<double, 4> slack = {2.0, 1.4, 1.0, 0.7};
+  double gate = 8.0;    ///< Largest squared distance of an own sample (chi-square, 2 degrees), > 0.
+  int min_support = 3;  ///< Own scans that a fit needs, >= 2.
+  double max_speed = 5.0 * 4.0 / 3.0;  ///< Faster fits are refused [m/s], > 0.
+};
+
+/// Least squares in (north, east, north velocity, east velocity) on a candidate's own samples: the nearest
+/// free one of each scan, in units of its range and bearing error.
+class Refit {
+ public:
+  /// @throws std::invalid_argument on a parameter out of range.
+  explicit Refit(const RefitParams& params);
+
+  /// Chooses the own samples among the free ones and fits the state and its covariance, a round per slack.
+  /// @param epoch of the candidate's state, since the window's anchor [s].
+  /// @param free per sample of the window, whether it may be chosen.
+  /// @return false where too few samples lie near or the fit is too fast; the candidate is then of no use.
+  bool fit(Candidate& candidate, const HoughWindow& window, double epoch,
+           const std::vector<char>& free) const;
+
+ private:
+  void choose_samples(Candidate& candidate, const HoughWindow& window, double epoch,
+                      const std::vector<char>& free, double slack) const;
+
+  RefitParams params_;
+};
+
+/// Weighted least squares on the candidate's own samples. @return false where they do not fix the state.
+bool least_squares(Candidate& candidate, const HoughWindow& window, double epoch);
+
+}  // namespace lookout::csht

@@ -1,0 +1,137 @@
+#include "tools/experiments/csht_window.hpp"
+
+#include <chrono>
+#include <fstream>
+
+#include "csht/estimator_registry.hpp"
+#include "sonar_sim/scene.hpp"
+#include "tools/experiments/least_squares_reference.hpp"
+#include "tools/experiments/paper_figures.hpp"
+#include "tools/experiments/simulated_run.hpp"
+#include "tracking/metrics/ospa.hpp"
+
+namespace lookout::tools {
+namespace {
+
+constexpr const char* kScene = "window_table2.yaml";
+constexpr int kWindowScans = 20;  // [Yan2018] section V.A
+
+using Points = std::vector<Eigen::Vector2d>;
+
+/// Positions and velocities of a set of targets.
+struct Elements {
+  Points positions;
+  Points velocities;
+  void add(const Eigen::Vector4d& state) {
+    positions.push_back(state.head<2>());
+    velocities.push_back(state.tail<2>());
+  }
+};
+
+Elements visible_truth(const core::GroundTruth& truth) {
+  Elements elements;
+  for (const auto& target : truth.targets) {
+    if (!target.visible) continue;
+    elements.positions.push_back(target.position);
+    elements.velocities.push_back(target.velocity);
+  }
+  return elements;
+}
+
+Cell cell_of(const std::string& method, const PaperFigures& paper, double p_false_alarm, double p_miss,
+             double sigma, const std::string& clutter) {
+  Cell cell;
+  cell.method = method;
+  cell.parameters = {{"p_false_alarm", p_false_alarm},
+                     {"p_miss", p_miss},
+                     {"sigma", sigma},
+                     {"window_scans", static_cast<double>(kWindowScans)},
+                     {"clutter", clutter}};
+  cell.paper = paper.at(method == "sht" ? "sht" : "csht", cell.parameters);
+  return cell;
+}
+
+class CshtWindow : public Experiment {
+ public:
+  std::string summary() const override {
+    return "Motion elements of three targets from one window of 20 scans ([Yan2018] Tables 3 to 6)";
+  }
+  std::string scenario() const override { return std::string("tools/scenarios/") + kScene; }
+  std::string plot_script() const override { return "plot_window.py"; }
+  std::vector<Cell> cells() const override;
+  Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
+};
+
+std::vector<Cell> CshtWindow::cells() const {
+  const PaperFigures paper("yan2018_window_tables.csv");
+  std::vector<Cell> cells;
+  for (const char* clutter : {"light", "literal"}) {
+    for (const char* method : {"csht", "csht_printed", "sht"}) {
+      for (const double p_miss : {0.1, 0.3, 0.5, 0.7}) {
+        for (const double p_false_alarm : {0.1, 0.3, 0.5, 0.7})
+          cells.push_back(cell_of(method, paper, p_false_alarm, p_miss, 3.0, clutter));
+      }
+      for (const double sigma : {1.0, 2.0, 4.0, 5.0})
+        cells.push_back(cell_of(method, paper, 0.3, 0.3, sigma, clutter));
+    }
+  }
+  return cells;
+}
+
+/// The window's scans through the estimator; its answer to the newest, and what that one took.
+struct Answer {
+  std::vector<core::MotionElement> elements;
+  double time_ms = 0.0;
+};
+
+Answer estimate(csht::MotionEstimator& estimator, const std::vector<TimedScan>& scans) {
+  Answer answer;
+  for (const auto& timed : scans) {
+    const auto start = std::chrono::steady_clock::now();
+    const auto elements = estimator.update(timed.posed);
+    answer.time_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    answer.elements.assign(elements.begin(), elements.end());
+  }
+  return answer;
+}
+
+Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
+  const auto& p = cell.parameters;
+  const auto scene = load_variant(kScene, {p.number("p_false_alarm"), p.number("p_miss"), p.number("sigma"),
+                                           clutter_reading(p.text("clutter"))});
+  const auto scans = simulate(scene, seed, run);
+  const auto sonar = sonar_sim::known_params(scene, scene.platforms.front());
+  csht::EstimatorParams params;
+  params.use = csht::EstimatorUse::window;
+  params.window_scans = static_cast<int>(p.number("window_scans"));
+  params.first_estimate_scans = params.window_scans;
+  const auto estimator =
+      csht::make_estimator(cell.method, params, sonar, seed + static_cast<std::uint64_t>(run));
+  const Answer answer = estimate(*estimator, scans);
+
+  Elements found, reference;
+  for (const auto& element : answer.elements) found.add(element.state());
+  for (const auto& fit : least_squares_reference(scans, sonar)) reference.add(fit.state);
+  const Elements truth = visible_truth(scans.back().truth);
+  const bool count_right = found.positions.size() == truth.positions.size();
+  tracking::Ospa ospa;
+  Metrics metrics;
+  metrics["position_ospa"] = ospa(truth.positions, found.positions).total;
+  metrics["velocity_ospa"] = ospa(truth.velocities, found.velocities).total;
+  if (count_right) metrics["velocity_ospa_count_right"] = metrics["velocity_ospa"];
+  metrics["count_correct"] = count_right ? 1.0 : 0.0;
+  metrics["bound"] = ospa(truth.positions, reference.positions).total;
+  metrics["velocity_bound"] = ospa(truth.velocities, reference.velocities).total;
+  metrics["over_bound"] = metrics["position_ospa"].value - metrics["bound"].value;
+  metrics["time_ms"] = answer.time_ms;
+  return metrics;
+}
+
+}  // namespace
+
+std::unique_ptr<Experiment> make_csht_window() {
+  return std::make_unique<CshtWindow>();
+}
+
+}  // namespace lookout::tools
