@@ -1,0 +1,64 @@
+#include "fusion/fusion.hpp"
+
+namespace lookout::fusion {
+
+Fusion::Fusion(const FusionParams& params)
+    : params_(params),
+      clock_(params.clock),
+      local_tracks_(params.store),
+      association_(params.association),
+      method_(make_fusion_method(params)),
+      global_tracks_(params.global) {}
+
+std::span<const core::Track> Fusion::update(std::int64_t utime) {
+  global_tracks_.predict(utime);                              // [LiFan2019] Eq. (16)
+  associate(utime);                                           // Eq. (8)-(13)
+  const auto fused = method_->fuse(global_tracks_.groups());  // Eq. (14)-(19)
+  global_tracks_.take(fused, association_);
+  local_tracks_.forget_silent(utime);
+  return global_tracks_.tracks();
+}
+
+Intake Fusion::add(const LocalEstimate& estimate) {
+  const Intake outcome = place(estimate);
+  ++counts_[static_cast<std::size_t>(outcome)];
+  return outcome;
+}
+
+Intake Fusion::place(LocalEstimate estimate) {
+  if (!is_plausible(estimate, params_.limits)) return Intake::implausible;
+  if (method_->needs_covariance() && !estimate.covariance) return Intake::no_covariance;
+  const FusionClock::Reading reading = clock_.read(estimate.node_id, estimate.utime);
+  if (!reading.utime) return Intake::clock;
+  if (reading.restarted) restart();
+  estimate.utime = *reading.utime;
+  return local_tracks_.add(estimate);
+}
+
+void Fusion::restart() {
+  ++restarts_;
+  local_tracks_.clear();
+  global_tracks_.clear();
+  method_->reset();
+}
+
+void Fusion::associate(std::int64_t utime) {
+  const auto& tracks = local_tracks_.tracks();
+  for (auto entry = tracks.begin(); entry != tracks.end();) {
+    const std::int32_t node_id = entry->first.first;
+    tracklets_.clear();
+    for (; entry != tracks.end() && entry->first.first == node_id; ++entry) {
+      if (local_tracks_.votes(entry->second, utime))
+        tracklets_.push_back({&entry->second, entry->second.state_at(utime)});
+    }
+    associate_node(tracklets_);
+  }
+}
+
+void Fusion::associate_node(std::span<const Contribution> tracklets) {
+  states_.clear();
+  for (const Contribution& tracklet : tracklets) states_.push_back(tracklet.current);
+  global_tracks_.add_support(tracklets, association_.associate(states_, global_tracks_.predicted()));
+}
+
+}  // namespace lookout::fusion

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "fusion/fusion_params.hpp"
+
+namespace lookout::fusion {
+
+/// The front door: local estimates of any number of nodes in, one picture out.
+class Fusion {
+ public:
+  /// @throws std::invalid_argument on an unknown method or a parameter out of range.
+  explicit Fusion(const FusionParams& params);
+
+  /// Takes one message. Nodes may join, fall silent and come back at any time.
+  Intake add(const LocalEstimate& estimate);
+
+  /// Time of the newest message on the nodes' common clock [us]; nothing before the first.
+  std::optional<std::int64_t> newest() const { return clock_.now(); }
+
+  /// Fuses what has been heard into the picture at `utime`, later than at the call before.
+  /// @return confirmed and coasting global tracks; valid until the next call.
+  std::span<const core::Track> update(std::int64_t utime);
+
+  std::int64_t count(Intake outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
+  std::int64_t restarts() const { return restarts_; }  ///< How often the common clock began anew.
+  const FusionMethod& method() const { return *method_; }
+  const FusionClock& clock() const { return clock_; }
+
+ private:
+  Intake place(LocalEstimate estimate);
+  void associate(std::int64_t utime);
+  void associate_node(std::span<const Contribution> tracklets);
+  void restart();
+
+  FusionParams params_;
+  FusionClock clock_;
+  LocalTrackStore local_tracks_;
+  TrackAssociation association_;
+  std::unique_ptr<FusionMethod> method_;
+  GlobalTracks global_tracks_;
+
+  std::vector<Contribution> tracklets_;  ///< Of one node, while it is associated.
+  std::vector<Eigen::Vector4d> states_;  ///< Theirs.
+  std::array<std::int64_t, kNumIntakes> counts_{};
+  std::int64_t restarts_ = 0;
+};
+
+}  // namespace lookout::fusion

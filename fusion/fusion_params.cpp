@@ -1,0 +1,46 @@
+#include "fusion/fusion_params.hpp"
+
+#include "core/yaml_reader.hpp"
+
+namespace lookout::fusion {
+namespace {
+
+constexpr double kMetresPerKilometre = 1000.0;
+
+void read_support(const core::YamlMap& map, SupportDegreeParams& params) {
+  const std::string reading = map.choice("support", "any", {"any", "col", "all"});
+  params.reading = reading == "col"   ? SupportReading::col
+                   : reading == "all" ? SupportReading::all
+                                      : SupportReading::any;
+  params.length_unit = map.choice("unit", "km", {"km", "m"}) == "km" ? kMetresPerKilometre : 1.0;
+  const Eigen::Vector2d p_earth_node(map.number("node_north", 0.0), map.number("node_east", 0.0));
+  if (map.choice("origin", "zero", {"zero", "node"}) == "node") params.p_earth_origin = p_earth_node;
+}
+
+void read_association(const core::YamlMap& map, AssociationParams& params) {
+  const bool printed = map.choice("association", "one_to_one", {"one_to_one", "max"}) == "max";
+  params.rule = printed ? AssociationRule::max : AssociationRule::one_to_one;
+  params.position_scale = map.number("position_scale", params.position_scale, core::kPositive);
+  params.speed_scale = map.number("speed_scale", params.speed_scale, core::kPositive);
+  params.heading_scale = map.number("heading_scale", params.heading_scale, core::kPositive);
+  params.threshold = map.number("threshold", params.threshold, core::Range{0.0, 0.99});
+}
+
+}  // namespace
+
+void read_fusion_params(const core::YamlMap& map, FusionParams& params) {
+  read_support(map, params.support_degree);
+  read_association(map, params.association);
+  params.method = map.choice("method", params.method, fusion_method_names());
+  params.learned.range_sigma = map.number("range_sigma", params.learned.range_sigma, core::kPositive);
+  params.learned.bearing_sigma = core::radians(
+      map.number("bearing_sigma_deg", core::degrees(params.learned.bearing_sigma), core::kPositive));
+  params.kalman.process_noise = map.number("process_noise", params.kalman.process_noise, core::kNotNegative);
+  params.kalman.velocity_sigma = map.number("velocity_sigma", params.kalman.velocity_sigma, core::kPositive);
+  params.store.max_age = map.number("max_age_s", params.store.max_age, core::kPositive);
+  params.store.forget_after = std::max(params.store.forget_after, params.store.max_age);
+  params.global.coast = map.number("coast_s", params.global.coast, core::kNotNegative);
+  map.finish();
+}
+
+}  // namespace lookout::fusion

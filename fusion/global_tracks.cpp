@@ -1,0 +1,162 @@
+#include "fusion/global_tracks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "fusion/parameter_check.hpp"
+
+namespace lookout::fusion {
+
+GlobalTracks::GlobalTracks(const GlobalTracksParams& params) : params_(params) {
+  require("birth_estimates", params.birth_estimates, params.birth_estimates >= 2, ">= 2");
+  require("coast", params.coast, params.coast >= 0.0, ">= 0");
+  require("local_trust", params.local_trust, params.local_trust > 0.0 && params.local_trust < 1.0,
+          "in (0, 1)");
+  require("merge_threshold", params.merge_threshold,
+          params.merge_threshold > 0.0 && params.merge_threshold <= 1.0, "in (0, 1]");
+  require("merge_updates", params.merge_updates, params.merge_updates >= 1, ">= 1");
+}
+
+void GlobalTracks::clear() {
+  tracks_.clear();
+  predicted_.clear();
+  supports_.clear();
+  supported_utime_.clear();
+  alike_.clear();
+  merged_.clear();
+}
+
+void GlobalTracks::predict(std::int64_t utime) {
+  const double dt = core::seconds(utime - utime_);
+  utime_ = utime;
+  for (std::size_t g = 0; g < tracks_.size(); ++g) {
+    TrackGroup& support = supports_[g];
+    support.utime = utime;
+    support.previous = tracks_[g].state;
+    support.predicted = moved(support.previous, dt);
+    support.is_new = false;
+    support.contributions.clear();
+    predicted_[g] = support.predicted;
+  }
+}
+
+void GlobalTracks::start(const Contribution& contribution) {
+  core::Track track;
+  track.id = next_id_++;
+  track.state = contribution.current;
+  track.first_utime = utime_;
+  tracks_.push_back(track);
+  predicted_.push_back(track.state);
+  supports_.push_back({track.id, utime_, true, track.state, track.state, {contribution}});
+  supported_utime_.push_back(utime_);
+}
+
+void GlobalTracks::add_support(std::span<const Contribution> contributions, std::span<const int> indices) {
+  for (std::size_t i = 0; i < contributions.size(); ++i) {
+    if (indices[i] >= 0) {
+      supports_[static_cast<std::size_t>(indices[i])].contributions.push_back(contributions[i]);
+    } else if (contributions[i].track->heard() >= static_cast<std::size_t>(params_.birth_estimates)) {
+      start(contributions[i]);
+    }
+  }
+}
+
+std::span<const TrackGroup> GlobalTracks::groups() {
+  groups_.clear();
+  for (const TrackGroup& support : supports_) {
+    if (!support.contributions.empty()) groups_.push_back(support);
+  }
+  return groups_;
+}
+
+void GlobalTracks::take(std::span<const FusedState> fused, const TrackAssociation& likeness) {
+  std::size_t next = 0;
+  for (std::size_t g = 0; g < tracks_.size(); ++g) {
+    if (supports_[g].contributions.empty()) {
+      tracks_[g].state = predicted_[g];
+    } else {
+      tracks_[g].state = fused[next].state;
+      tracks_[g].covariance = fused[next].covariance;
+      ++next;
+    }
+    update_status(g);
+  }
+  merge_alike(likeness);
+  erase_where(ended());
+}
+
+void GlobalTracks::update_status(std::size_t index) {
+  core::Track& track = tracks_[index];
+  const auto& contributions = supports_[index].contributions;
+  if (contributions.empty()) {
+    const double silence = core::seconds(utime_ - supported_utime_[index]);
+    track.status = core::TrackStatus::coasting;
+    track.existence = params_.local_trust * std::max(0.0, 1.0 - silence / std::max(params_.coast, 1e-6));
+    return;
+  }
+  supported_utime_[index] = utime_;
+  track.status = core::TrackStatus::confirmed;
+  track.existence = 1.0 - std::pow(1.0 - params_.local_trust, static_cast<double>(contributions.size()));
+  for (const Contribution& contribution : contributions)
+    track.last_detection_utime = std::max(track.last_detection_utime, contribution.track->newest().utime);
+}
+
+bool GlobalTracks::may_be_one(std::size_t a, std::size_t b) const {
+  // Two tracks that one node tells apart are two.
+  for (const Contribution& own : supports_[a].contributions) {
+    for (const Contribution& other : supports_[b].contributions) {
+      if (own.track->newest().node_id == other.track->newest().node_id) return false;
+    }
+  }
+  return !supports_[a].contributions.empty() && !supports_[b].contributions.empty();
+}
+
+void GlobalTracks::merge_alike(const TrackAssociation& likeness) {
+  merged_.clear();
+  std::map<IdPair, int> alike;
+  std::vector<bool> dead(tracks_.size(), false);
+  for (std::size_t a = 0; a < tracks_.size(); ++a) {
+    for (std::size_t b = a + 1; b < tracks_.size(); ++b) {
+      if (dead[a] || dead[b] || !may_be_one(a, b)) continue;
+      if (likeness.membership(tracks_[a].state, tracks_[b].state) < params_.merge_threshold) continue;
+      const IdPair pair{tracks_[a].id, tracks_[b].id};
+      const auto before = alike_.find(pair);
+      alike[pair] = before == alike_.end() ? 1 : before->second + 1;
+      if (alike[pair] < params_.merge_updates) continue;
+      dead[b] = true;  // The older keeps its number.
+      merged_.push_back({pair.second, pair.first});
+    }
+  }
+  alike_ = std::move(alike);
+  erase_where(dead);
+}
+
+std::vector<bool> GlobalTracks::ended() const {
+  std::vector<bool> dead(tracks_.size());
+  for (std::size_t g = 0; g < tracks_.size(); ++g) {
+    const double silence = core::seconds(utime_ - supported_utime_[g]);
+    const double life = core::seconds(supported_utime_[g] - tracks_[g].first_utime);
+    dead[g] = silence > std::min(params_.coast, life);
+  }
+  return dead;
+}
+
+void GlobalTracks::erase_where(const std::vector<bool>& dead) {
+  std::size_t kept = 0;
+  for (std::size_t g = 0; g < tracks_.size(); ++g) {
+    if (dead[g]) continue;
+    if (kept != g) {
+      tracks_[kept] = tracks_[g];
+      predicted_[kept] = predicted_[g];
+      supports_[kept] = std::move(supports_[g]);
+      supported_utime_[kept] = supported_utime_[g];
+    }
+    ++kept;
+  }
+  tracks_.resize(kept);
+  predicted_.resize(kept);
+  supports_.resize(kept);
+  supported_utime_.resize(kept);
+}
+
+}  // namespace lookout::fusion

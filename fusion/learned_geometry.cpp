@@ -1,0 +1,181 @@
+#include "fusion/learned_geometry.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "fusion/parameter_check.hpp"
+
+namespace lookout::fusion {
+namespace {
+
+/// Added to the information, relative to its trace, so that sensors in line with the target leave it regular.
+constexpr double kRegularisation = 1e-6;
+/// Nearest that a target counts as to a sensor [m], so that the bearing keeps a meaning.
+constexpr double kLeastRange = 1.0;
+
+}  // namespace
+
+LearnedGeometry::LearnedGeometry(const LearnedGeometryParams& params) : params_(params) {
+  require_positive("range_sigma", params.range_sigma);
+  require_positive("bearing_sigma", params.bearing_sigma);
+  require("window_updates", params.window_updates, params.window_updates >= 1, ">= 1");
+  require("iterations", params.iterations, params.iterations >= 1, ">= 1");
+  require("pseudo_samples", params.pseudo_samples, params.pseudo_samples >= 0.0, ">= 0");
+  require("velocity_sigma", params.velocity_sigma, params.velocity_sigma >= 0.0, ">= 0");
+  reset();
+}
+
+void LearnedGeometry::reset() {
+  index_.clear();
+  quality_.clear();
+  window_.assign(static_cast<std::size_t>(params_.window_updates), Update{});
+  newest_ = 0;
+}
+
+LearnedGeometry::NodeQuality LearnedGeometry::quality(std::int32_t node_id) const {
+  const auto found = index_.find(node_id);
+  if (found != index_.end()) return quality_[found->second];
+  return {params_.range_sigma * params_.range_sigma, params_.bearing_sigma * params_.bearing_sigma};
+}
+
+std::span<const FusedState> LearnedGeometry::fuse(std::span<const TrackGroup> groups) {
+  remember(groups);
+  for (int k = 0; k < params_.iterations; ++k) iterate();
+  fused_.clear();
+  const Update& update = window_[newest_];
+  std::size_t begin = 0;
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const std::span<const Sample> samples(update.samples.data() + begin, update.ends[g] - begin);
+    fused_.push_back(fuse_group(groups[g], samples));
+    begin = update.ends[g];
+  }
+  return fused_;
+}
+
+std::size_t LearnedGeometry::index_of(std::int32_t node_id) {
+  const auto [entry, is_new] = index_.try_emplace(node_id, quality_.size());
+  if (is_new)
+    quality_.push_back(
+        {params_.range_sigma * params_.range_sigma, params_.bearing_sigma * params_.bearing_sigma});
+  return entry->second;
+}
+
+LearnedGeometry::Sample LearnedGeometry::sample_of(const TrackGroup& group,
+                                                   const Contribution& contribution) {
+  const LocalEstimate& estimate = contribution.track->newest();
+  const Eigen::Vector2d sight = contribution.current.head<2>() - estimate.p_earth_node;
+  const double range = sight.norm();
+  const Eigen::Vector2d direction = range > 0.0 ? (sight / range).eval() : Eigen::Vector2d::UnitX();
+  const double drift = params_.velocity_sigma * contribution.track->age(group.utime);
+  const double squared_range = std::max(range, kLeastRange) * std::max(range, kLeastRange);
+  return {contribution.current.head<2>(), direction, squared_range, drift * drift,
+          index_of(estimate.node_id)};
+}
+
+void LearnedGeometry::remember(std::span<const TrackGroup> groups) {
+  newest_ = (newest_ + 1) % window_.size();
+  Update& update = window_[newest_];
+  update.samples.clear();
+  update.ends.clear();
+  for (const TrackGroup& group : groups) {
+    for (const Contribution& contribution : group.contributions)
+      update.samples.push_back(sample_of(group, contribution));
+    update.ends.push_back(update.samples.size());
+  }
+}
+
+Eigen::Matrix2d LearnedGeometry::information(const Sample& sample) const {
+  // I = u u'/s_r + v v'/(s_b r^2) = 1/across + (1/along - 1/across) u u'.
+  const NodeQuality& quality = quality_[sample.node];
+  const double along = 1.0 / (quality.range_variance + sample.aging);
+  const double across = 1.0 / (quality.bearing_variance * sample.squared_range + sample.aging);
+  const Eigen::Vector2d& u = sample.line_of_sight;
+  Eigen::Matrix2d result = (along - across) * u * u.transpose();
+  result(0, 0) += across;
+  result(1, 1) += across;
+  return result;
+}
+
+LearnedGeometry::Fix LearnedGeometry::fix(std::span<const Sample> samples) const {
+  // Relative to one of them, so that the regularisation pulls to the target and not to the earth's origin.
+  const Eigen::Vector2d anchor = samples.front().position;
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
+  for (const Sample& sample : samples) {
+    const Eigen::Matrix2d own = information(sample);
+    sum += own;
+    weighted += own * (sample.position - anchor);
+  }
+  sum += kRegularisation * sum.trace() * Eigen::Matrix2d::Identity();
+  const Eigen::Matrix2d covariance = sum.inverse();
+  return {anchor + covariance * weighted, covariance};
+}
+
+void LearnedGeometry::iterate() {
+  moments_.assign(quality_.size(), Moments{});
+  for (const Update& update : window_) {
+    std::size_t begin = 0;
+    for (std::size_t end : update.ends) {
+      // A target that one node alone sees says nothing of that node's error.
+      if (end - begin >= 2) add_residuals({update.samples.data() + begin, end - begin});
+      begin = end;
+    }
+  }
+  maximise();
+}
+
+void LearnedGeometry::add_residuals(std::span<const Sample> samples) {
+  const Fix fused = fix(samples);
+  for (const Sample& sample : samples) {
+    const Eigen::Vector2d& u = sample.line_of_sight;
+    const Eigen::Vector2d v(-u.y(), u.x());
+    const Eigen::Vector2d residual = sample.position - fused.position;
+    const double along = u.dot(residual), across = v.dot(residual);
+    Moments& moments = moments_[sample.node];
+    moments.along += std::max(0.0, along * along + u.dot(fused.covariance * u) - sample.aging);
+    moments.across +=
+        std::max(0.0, across * across + v.dot(fused.covariance * v) - sample.aging) / sample.squared_range;
+    moments.count += 1.0;
+  }
+}
+
+double LearnedGeometry::median_of(double Moments::*part) {
+  sorted_.clear();
+  for (const Moments& moments : moments_) {
+    if (moments.count > 0.0) sorted_.push_back(moments.*part / moments.count);
+  }
+  std::sort(sorted_.begin(), sorted_.end());
+  const std::size_t half = sorted_.size() / 2;
+  return sorted_.size() % 2 == 1 ? sorted_[half] : 0.5 * (sorted_[half - 1] + sorted_[half]);
+}
+
+void LearnedGeometry::maximise() {
+  const bool heard =
+      std::any_of(moments_.begin(), moments_.end(), [](const Moments& m) { return m.count > 0.0; });
+  if (!heard) return;
+  const double extra = params_.pseudo_samples;
+  const double along = median_of(&Moments::along), across = median_of(&Moments::across);
+  for (std::size_t node = 0; node < quality_.size(); ++node) {
+    const Moments& moments = moments_[node];
+    if (moments.count + extra == 0.0) continue;
+    quality_[node].range_variance = (moments.along + extra * along) / (moments.count + extra);
+    quality_[node].bearing_variance = (moments.across + extra * across) / (moments.count + extra);
+  }
+}
+
+FusedState LearnedGeometry::fuse_group(const TrackGroup& group, std::span<const Sample> samples) const {
+  const Fix fused = fix(samples);
+  const Eigen::Vector2d anchor = group.contributions.front().current.tail<2>();
+  Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    weighted += information(samples[i]) * (group.contributions[i].current.tail<2>() - anchor);
+  FusedState result;
+  result.state << fused.position, anchor + fused.covariance * weighted;
+  result.covariance.topLeftCorner<2, 2>() = fused.covariance;
+  const double velocity_variance = params_.velocity_sigma * params_.velocity_sigma;
+  result.covariance.bottomRightCorner<2, 2>().diagonal().setConstant(velocity_variance);
+  return result;
+}
+
+}  // namespace lookout::fusion

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/frames.hpp"
+#include "fusion/constant_velocity.hpp"
+#include "fusion/local_estimate.hpp"
+
+namespace lookout::fusion {
+
+/// The newest estimates of one track of one node. The last two are a tracklet, [LiFan2019] Eq. (1); one alone
+/// is a candidate tracklet, Eq. (2), and has no vote.
+class LocalTrack {
+ public:
+  static constexpr std::size_t kMemory = 8;  ///< Estimates kept, for the bounds that replay a track's start.
+
+  explicit LocalTrack(const LocalEstimate& first) { append(first); }
+
+  /// Adds an estimate later than all before it.
+  void append(const LocalEstimate& estimate) {
+    kept_[heard_ % kMemory] = estimate;
+    ++heard_;
+  }
+  /// Forgets all but the newest, which is a candidate again.
+  void restart() {
+    const LocalEstimate last = newest();
+    heard_ = 0;
+    append(last);
+  }
+
+  std::size_t heard() const { return heard_; }  ///< Estimates since the first or the last restart.
+  std::size_t size() const { return heard_ < kMemory ? heard_ : kMemory; }  ///< Estimates kept, >= 1.
+  /// Estimate `age` places before the newest, age < size().
+  const LocalEstimate& back(std::size_t age) const { return kept_[(heard_ - 1 - age) % kMemory]; }
+  const LocalEstimate& newest() const { return back(0); }
+
+  bool is_tracklet() const { return heard_ >= 2; }
+  /// From the tracklet's older position to its newer [m]; zero of a candidate.
+  Eigen::Vector2d displacement() const {
+    if (!is_tracklet()) return Eigen::Vector2d::Zero();
+    return newest().state.head<2>() - back(1).state.head<2>();
+  }
+  /// Seconds from the newest estimate to `utime`.
+  double age(std::int64_t utime) const { return core::seconds(utime - newest().utime); }
+  /// The newest estimate carried to `utime` at its own velocity.
+  Eigen::Vector4d state_at(std::int64_t utime) const { return moved(newest().state, age(utime)); }
+
+ private:
+  std::array<LocalEstimate, kMemory> kept_;
+  std::size_t heard_ = 0;
+};
+
+}  // namespace lookout::fusion

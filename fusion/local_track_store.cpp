@@ -1,0 +1,65 @@
+#include "fusion/local_track_store.hpp"
+
+#include <algorithm>
+
+#include "fusion/parameter_check.hpp"
+
+namespace lookout::fusion {
+namespace {
+
+/// Share of a new interval in the running mean: the last ten or so count.
+constexpr double kRhythmGain = 0.1;
+
+}  // namespace
+
+LocalTrackStore::LocalTrackStore(const LocalTrackStoreParams& params) : params_(params) {
+  require_positive("max_gap", params.max_gap);
+  require_positive("max_age", params.max_age);
+  require_positive("min_silence", params.min_silence);
+  require("silent_rounds", params.silent_rounds, params.silent_rounds > 1.0, "> 1");
+  require("forget_after", params.forget_after, params.forget_after >= params.max_age, ">= max_age");
+  require("max_tracks", static_cast<double>(params.max_tracks), params.max_tracks >= 1, ">= 1");
+}
+
+Intake LocalTrackStore::add(const LocalEstimate& estimate) {
+  const Key key{estimate.node_id, estimate.track_id};
+  const auto found = tracks_.find(key);
+  if (found == tracks_.end()) {
+    if (tracks_.size() >= params_.max_tracks) return Intake::too_many;
+    tracks_.emplace(key, LocalTrack(estimate));
+    return Intake::accepted;
+  }
+  LocalTrack& track = found->second;
+  const double gap = core::seconds(estimate.utime - track.newest().utime);
+  if (gap == 0.0) return Intake::duplicate;
+  if (gap < 0.0) return Intake::out_of_order;
+  track.append(estimate);
+  if (gap > params_.max_gap) {
+    track.restart();
+  } else {
+    Rhythm& rhythm = rhythms_[estimate.node_id];
+    rhythm.interval += (rhythm.interval > 0.0 ? kRhythmGain : 1.0) * (gap - rhythm.interval);
+  }
+  return Intake::accepted;
+}
+
+double LocalTrackStore::silence_limit(std::int32_t node_id) const {
+  const auto rhythm = rhythms_.find(node_id);
+  const double expected = rhythm == rhythms_.end() ? params_.max_age : rhythm->second.interval;
+  return std::min(params_.max_age, std::max(params_.min_silence, params_.silent_rounds * expected));
+}
+
+bool LocalTrackStore::votes(const LocalTrack& track, std::int64_t utime) const {
+  return track.is_tracklet() && track.age(utime) <= silence_limit(track.newest().node_id);
+}
+
+void LocalTrackStore::forget_silent(std::int64_t utime) {
+  std::erase_if(tracks_, [&](const auto& entry) { return entry.second.age(utime) > params_.forget_after; });
+}
+
+void LocalTrackStore::clear() {
+  tracks_.clear();
+  rhythms_.clear();
+}
+
+}  // namespace lookout::fusion

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+#include "fusion/local_track.hpp"
+
+namespace lookout::fusion {
+
+/// What became of a message.
+enum class Intake { accepted, implausible, duplicate, out_of_order, clock, no_covariance, too_many };
+inline constexpr std::size_t kNumIntakes = 7;
+
+struct LocalTrackStoreParams {
+  double max_gap = 5.0;            ///< Longest time between the two estimates of a tracklet [s], > 0. t2gt 9.
+  double max_age = 5.0;            ///< An estimate older than this has no vote [s], > 0. Own choice.
+  double silent_rounds = 3.0;      ///< A track that its node skipped for so many of the node's mean intervals
+                                   ///< between estimates of one track has ended, > 1. Own choice.
+  double min_silence = 1.6;        ///< Shortest such silence [s], > 0: three scans of 0.5 s. Own choice.
+  double forget_after = 30.0;      ///< A track silent for so long is forgotten [s], >= max_age. Own choice.
+  std::size_t max_tracks = 10000;  ///< Of all nodes together, >= 1: bounds the memory. Own choice.
+};
+
+/// The local tracks of all nodes: the newest estimates per node and track.
+class LocalTrackStore {
+ public:
+  using Key = std::pair<std::int32_t, std::int64_t>;  ///< Node id, track id.
+  using Tracks = std::map<Key, LocalTrack>;           ///< Ordered by node, so that results do not depend on
+                                                      ///< the order of arrival.
+
+  /// @throws std::invalid_argument on a parameter out of range.
+  explicit LocalTrackStore(const LocalTrackStoreParams& params);
+
+  /// Keeps the newest per node and track; older ones and repetitions are refused.
+  Intake add(const LocalEstimate& estimate);
+
+  /// Whether the track has a vote at `utime`: a tracklet whose newest estimate is fresh.
+  bool votes(const LocalTrack& track, std::int64_t utime) const;
+
+  /// Forgets tracks that have been silent for long.
+  void forget_silent(std::int64_t utime);
+
+  const Tracks& tracks() const { return tracks_; }
+  void clear();
+
+ private:
+  /// Mean time between two estimates of one track of a node [s]: it grows with the node's tracks, since the
+  /// link is thin.
+  struct Rhythm {
+    double interval = 0.0;
+  };
+
+  double silence_limit(std::int32_t node_id) const;
+
+  LocalTrackStoreParams params_;
+  Tracks tracks_;
+  std::map<std::int32_t, Rhythm> rhythms_;
+};
+
+}  // namespace lookout::fusion

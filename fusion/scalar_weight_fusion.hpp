@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "fusion/fusion_method.hpp"
+
+namespace lookout::fusion {
+
+/// Methods that give each contribution one number: the fused state is the weighted mean of all four
+/// components, without memory of the global track. [LiFan2019] Eq. (19).
+class ScalarWeightFusion : public FusionMethod {
+ public:
+  std::span<const FusedState> fuse(std::span<const TrackGroup> groups) final;
+
+ protected:
+  /// Called once a time, before the groups one by one.
+  virtual void look_at_all(std::span<const TrackGroup> /*groups*/) {}
+  /// Writes the support of each contribution, >= 0, of any sum; `support` has their number and holds ones.
+  virtual void support(const TrackGroup& group, std::vector<double>& support) = 0;
+
+ private:
+  std::vector<double> weights_;
+  std::vector<FusedState> fused_;
+};
+
+/// Scales `support` to sum 1; equal weights where the sum is nought. [LiFan2019] Eq. (18).
+void normalise(std::vector<double>& support);
+
+/// Equal weights.
+class MeanFusion final : public ScalarWeightFusion {
+ private:
+  void support(const TrackGroup& /*group*/, std::vector<double>& /*support*/) override {}
+};
+
+/// No fusion: the estimate of the node with the lowest id that sees the target.
+class SingleNode final : public ScalarWeightFusion {
+ private:
+  void support(const TrackGroup& group, std::vector<double>& support) override;
+};
+
+}  // namespace lookout::fusion

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "tracking/association/assignment.hpp"
+
+namespace lookout::fusion {
+
+/// `max`: as printed, every tracklet goes to its most alike global track. `one_to_one`: the repaired rule,
+/// with a threshold, at most one tracklet of a node per global track, and no heading from standing targets.
+enum class AssociationRule { max, one_to_one };
+
+struct AssociationParams {
+  AssociationRule rule = AssociationRule::one_to_one;
+  double position_scale = 5.0;    ///< u_max of the distance [m], > 0. t2gt 2: about the targets' spacing.
+  double speed_scale = 1.0;       ///< u_max of the speed difference [m/s], > 0. t2gt 2: 0.4 x speed.
+  double heading_scale = 0.8;     ///< u_max of the heading difference [rad], > 0. t2gt 2: 3 x its error.
+  double position_weight = 0.55;  ///< >= 0. [LiFan2019] Eq. (12), (13).
+  double speed_weight = 0.35;     ///< >= 0. The same.
+  double heading_weight = 0.10;   ///< >= 0. The same; the three sum to 1.
+  double threshold = 0.35;        ///< Least membership, in [0, 1). t2gt 2 (a).
+  double standing_share = 0.05;   ///< Below this share of speed_scale a target stands, >= 0. t2gt 2 (c).
+};
+
+/// Fuzzy association of the tracklets of one node with the global tracks.
+class TrackAssociation {
+ public:
+  /// @throws std::invalid_argument on a parameter out of range.
+  explicit TrackAssociation(const AssociationParams& params);
+
+  /// Membership in [0, 1] of one state in another, (north, east, north velocity, east velocity), SI.
+  /// [LiFan2019] Eq. (8)-(12), with the lost velocity dots, atan2 and a wrapped heading difference.
+  double membership(const Eigen::Vector4d& a, const Eigen::Vector4d& b) const;
+
+  /// The global track of each tracklet of one node, or -1. Valid until the next call.
+  const std::vector<int>& associate(std::span<const Eigen::Vector4d> tracklets,
+                                    std::span<const Eigen::Vector4d> globals);
+
+  const AssociationParams& params() const { return params_; }
+
+ private:
+  /// A state as the membership sees it.
+  struct Course {
+    Eigen::Vector2d position;
+    double speed;
+    double heading;
+  };
+
+  static Course course(const Eigen::Vector4d& state);
+  double membership(const Course& a, const Course& b) const;
+  void take_largest();
+  void take_one_to_one();
+
+  AssociationParams params_;
+  std::vector<Course> global_courses_;
+  Eigen::MatrixXd cost_;  ///< 1 - membership; tracklets by globals.
+  tracking::AssignmentSolver solver_;
+  std::vector<int> global_of_tracklet_;
+};
+
+}  // namespace lookout::fusion
