@@ -33,6 +33,21 @@ void add_scoring(CLI::App& app, Options& options) {
 
 // The flags of each command.
 
+void add_tracking(CLI::App& app, Options& options) {
+  app.add_option("--config", options.config, "Configuration YAML");
+  app.add_option("--estimator", options.estimator, "Estimator by name");
+  app.add_option("--tracker", options.tracker, "Tracker by name");
+}
+
+void declare_run(CLI::App& app, Options& options) {
+  app.add_option("SCENARIO", options.inputs, "Scene YAML")->expected(1)->required();
+  add_out(app, options);
+  add_seed(app, options);
+  add_tracking(app, options);
+  app.add_flag("--known-sensor", options.known_sensor, "Tell the tracker the scene's true sensor figures");
+  add_scoring(app, options);
+}
+
 void declare_ospa(CLI::App& app, Options& options) {
   app.add_option("FILES", options.inputs, "TRUTH.csv and ESTIMATE.csv")->expected(2)->required();
   add_scoring(app, options);
@@ -65,6 +80,8 @@ struct Command {
 };
 
 constexpr Command kCommands[] = {
+    {"run", "Runs a scene through the whole chain in one process, as fast as it computes.",
+     "lookout run tools/scenarios/tracking_table7.yaml --out out/run", declare_run, run_command},
     {"ospa", "Scores estimated positions against the truth, offline.",
      "lookout ospa out/run/truth.csv out/run/tracks.csv --cutoff 20", declare_ospa, ospa_command},
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",

@@ -18,6 +18,7 @@ struct Options {
   std::string tracker;        ///< Registry name; empty: the configuration's, else the default.
   std::optional<double> lag;  ///< Delayed output [s].
   bool explain = false;
+  bool known_sensor = false;  ///< `run` tells the tracker the scene's sensor figures.
   bool publish_estimates = false;
   int node_id = 1;
   double cutoff = 20.0;           ///< OSPA cut-off [m].

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "tests/integration/program.hpp"
 #include "tests/temporary_directory.hpp"
 
@@ -7,7 +9,7 @@ namespace lookout::tests {
 namespace {
 
 TEST(CommandLine, HelpShowsAnExampleFirst) {
-  for (const std::string command : {"ospa", "experiment"}) {
+  for (const std::string command : {"run", "ospa", "experiment"}) {
     const auto result = run_lookout(command + " --help");
     EXPECT_EQ(result.status, 0);
     EXPECT_TRUE(result.out.starts_with("Example:\n  lookout " + command)) << result.out;
@@ -28,6 +30,53 @@ TEST(CommandLine, UnknownExperimentListsTheNames) {
   const auto result = run_lookout("experiment no-such --out /tmp");
   EXPECT_EQ(result.status, 2);
   EXPECT_NE(result.err.find("expected one of:"), std::string::npos);
+}
+
+const std::string kScenarios = LOOKOUT_SOURCE_DIR "/tools/scenarios/";
+
+TEST(RunCommand, WritesARecordingWithTracksThatOspaScoresAlike) {
+  const TemporaryDirectory folder;
+  const std::string run =
+      "run " + kScenarios + "crossing.yaml --tracker gnn --seed 1000 --out " + folder.path();
+  ASSERT_EQ(run_lookout(run).status, 0);
+  for (const std::string file :
+       {"scans.csv", "vehicle.csv", "truth.csv", "sonar.yaml", "tracks.csv", "elements.csv"})
+    EXPECT_FALSE(text_of(folder.file(file)).empty()) << file;
+  const auto scored = run_lookout("ospa " + folder.file("truth.csv") + " " + folder.file("tracks.csv") +
+                                  " --json --times " + folder.file("scans.csv"));
+  const auto offline = nlohmann::json::parse(scored.out);
+  const auto online = nlohmann::json::parse(text_of(folder.file("summary.json")));
+  EXPECT_EQ(offline["times"], 120);  // 60 s at 0.5 s
+  EXPECT_NEAR(offline["total"], online["ospa"]["total"], 1e-9);
+}
+
+TEST(RunCommand, SameSeedSameBytes) {
+  const TemporaryDirectory a, b;
+  const std::string run = "run " + kScenarios + "near_field.yaml --tracker gnn --seed 1001 --out ";
+  ASSERT_EQ(run_lookout(run + a.path()).status, 0);
+  ASSERT_EQ(run_lookout(run + b.path()).status, 0);
+  EXPECT_FALSE(text_of(a.file("tracks.csv")).empty());
+  EXPECT_EQ(text_of(a.file("tracks.csv")), text_of(b.file("tracks.csv")));
+}
+
+TEST(RunCommand, BadScenesAndConfigurationsAreStatusTwo) {
+  const TemporaryDirectory folder;
+  const auto refused = [&](const std::string& name, const std::string& text, const std::string& message) {
+    const auto result = run_lookout("run " + folder.write(name, text) + " --out " + folder.file("out"));
+    EXPECT_EQ(result.status, 2) << name;
+    EXPECT_NE(result.err.find(message), std::string::npos) << result.err;
+  };
+  const std::string sonar = "sonar: {miss_probability: 0.1, false_alarm_probability: 0.1";
+  refused("key.yaml", "duration: 5\n" + sonar + "}\ntragets: []\n", "key.yaml:3:1: unknown key `tragets`");
+  refused("unit.yaml", "duration: 5 s\n" + sonar + "}\n", "unit.yaml:1:11: duration: got `5 s`");
+  refused("range.yaml", "duration: 5\n" + sonar + ", max_range: -150}\n", "max_range: got `-150`");
+  refused("broken.yaml", "duration: [5\nsonar: 3\n", "broken.yaml:2");
+  EXPECT_EQ(run_lookout("run " + folder.file("none.yaml") + " --out " + folder.file("out")).status, 2);
+  const auto config = folder.write("config.yaml", "tracker: {coast: 3}\n");
+  const auto result =
+      run_lookout("run " + kScenarios + "crossing.yaml --config " + config + " --out " + folder.file("o"));
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("config.yaml:1:11: unknown key `coast`"), std::string::npos) << result.err;
 }
 
 TEST(OspaCommand, AveragesOverAllTimesOfEitherFile) {

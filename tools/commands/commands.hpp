@@ -6,6 +6,7 @@
 /// bad input (status 2), and write data to files and stdout, messages to stderr.
 namespace lookout::tools {
 
+int run_command(const Options& options);
 int ospa_command(const Options& options);
 int experiment_command(const Options& options);
 
