@@ -17,6 +17,14 @@ void require(bool holds, const char* expected, double value) {
   if (!holds) throw std::invalid_argument(std::string(expected) + ", got " + std::to_string(value));
 }
 
+/// ln of the density of the sample's range and bearing [1/(m rad)] given a target at p_earth, times 2 pi.
+/// Near the sonar the error across spans many beams: a pile of clutter there is weak evidence.
+double log_echo_density(const WindowSample& sample, const Eigen::Vector2d& p_earth) {
+  const double bearing_variance = sample.cross_variance / (sample.range * sample.range);
+  return -0.5 * std::log(sample.range_variance * bearing_variance) -
+         0.5 * sample.distance(sample.p_earth - p_earth);
+}
+
 }  // namespace
 
 CountDecision::CountDecision(const CountDecisionParams& params) : params_(params) {
@@ -26,7 +34,6 @@ CountDecision::CountDecision(const CountDecisionParams& params) : params_(params
           "relative_support must be in [0, 1]", params.relative_support);
   require(params.clutter_regulariser > 0.0, "clutter_regulariser must be > 0", params.clutter_regulariser);
   require(params.foreign_echo <= 0.0, "foreign_echo must be <= 0", params.foreign_echo);
-  require(params.beam_sigma > 0.0, "beam_sigma must be > 0", params.beam_sigma);
   require(params.edge >= 0.0 && params.edge <= 0.5, "edge must be in [0, 0.5]", params.edge);
   require(params.targets_in_view > 0.0, "targets_in_view must be > 0", params.targets_in_view);
   require(params.prior_speed > 0.0, "prior_speed must be > 0", params.prior_speed);
@@ -59,7 +66,7 @@ double CountDecision::log_evidence(const Candidate& candidate, const HoughWindow
       continue;
     }
     const auto& sample = window.samples()[static_cast<std::size_t>(candidate.own[s])];
-    sum += rates.detection - 0.5 * sample.distance(sample.p_earth - candidate.position(sample.time - epoch));
+    sum += rates.detection + log_echo_density(sample, candidate.position(sample.time - epoch));
   }
   return sum;
 }
@@ -80,9 +87,8 @@ CountDecision::Rates CountDecision::rates(const Candidate& candidate, const Houg
   const double beams = static_cast<double>(window.scans().size()) * sonar.num_beams;
   const double p_detection = (candidate.support + 0.5) / (in_view + 1.0);
   const double p_false = std::min(others / beams, 1.0 - 1.0 / beams);
-  const double clutter_density = others / (beams * sonar.max_range);  // per beam and metre
-  const double own_density = 1.0 / (2.0 * kPi * sonar.range_sigma * params_.beam_sigma);
-  return {std::log(p_detection * own_density / clutter_density), std::log1p(-p_detection),
+  const double clutter_density = others / (beams * sonar.bearing_step * sonar.max_range);
+  return {std::log(p_detection / (2.0 * kPi * clutter_density)), std::log1p(-p_detection),
           std::log1p(-p_detection) - (sonar.point_sensor() ? 0.0 : std::log1p(-p_false))};
 }
 

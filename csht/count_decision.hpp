@@ -18,8 +18,7 @@ struct CountDecisionParams {
   double clutter_regulariser = 4.0;  ///< Samples added to the clutter count, so that an empty sea has a rate,
                                      ///< > 0.
   double foreign_echo = -3.0;        ///< Log likelihood ratio of another range in the target's beam, <= 0.
-  double beam_sigma = 0.33;  ///< Standard deviation of a bearing [beams], > 0; 1/sqrt(12) and a little more.
-  double edge = 0.25;        ///< So near to its beam's edge [beams] the echo may lie next door, in [0, .5].
+  double edge = 0.25;  ///< So near to its beam's edge [beams] the echo may lie next door, in [0, .5].
   double targets_in_view = 2.0;  ///< Prior mean number of targets in the field of view, > 0.
   double prior_speed = 5.0;      ///< Their speeds are spread over a disc of this radius [m/s], > 0.
 };
@@ -46,7 +45,7 @@ class CountDecision {
  private:
   /// What the window says of its own rates, given one candidate.
   struct Rates {
-    double detection = 0.5;  ///< Log of the density of an own echo over that of clutter, at its centre.
+    double detection = 0.5;  ///< ln of P_D / (2 pi) over the clutter's density per metre and radian.
     double miss = 0.0;       ///< ln(1 - P_D).
     double silence = 0.0;    ///< ln((1 - P_D) / (1 - P_F)).
   };
