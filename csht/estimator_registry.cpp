@@ -5,6 +5,8 @@
 
 #include "core/yaml_reader.hpp"
 #include "csht/csht_estimator.hpp"
+#include "csht/csht_printed_estimator.hpp"
+#include "csht/sht_estimator.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -27,10 +29,21 @@ std::unique_ptr<MotionEstimator> make_csht(const EstimatorParams& params, const 
   return std::make_unique<CshtEstimator>(csht, sonar);
 }
 
+template <typename Params, typename Estimator>
+std::unique_ptr<MotionEstimator> make_baseline(const EstimatorParams& params, const core::SonarParams& sonar,
+                                               std::uint64_t) {
+  Params own;
+  own.window_scans = params.window_scans;
+  own.first_estimate_scans = params.first_estimate_scans;
+  return std::make_unique<Estimator>(own, sonar);
+}
+
 /// One line an estimator.
 const std::vector<Entry>& registry() {
   static const std::vector<Entry> entries{
       {"csht", make_csht},
+      {"csht_printed", make_baseline<CshtPrintedParams, CshtPrintedEstimator>},
+      {"sht", make_baseline<ShtParams, ShtEstimator>},
   };
   return entries;
 }

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "csht/fuzzy_isodata.hpp"
+#include "csht/hough_space.hpp"
+#include "csht/hough_window.hpp"
+#include "csht/motion_estimator.hpp"
+#include "csht/single_line.hpp"
+#include "csht/vote_peaks.hpp"
+
+namespace lookout::csht {
+
+/// The steps to the letter, for comparison. Where the paper gives no value, one set for all cells.
+struct CshtPrintedParams {
+  int window_scans = 20;         ///< W, 3 to kMaxWindowScans. [Yan2018] section V.
+  int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
+  double intercept_step = 5.0;   ///< h_n0 [m], > 0.
+  double velocity_step = 0.1;    ///< h_v [m/s], > 0.
+  PrimaryThresholdParams threshold{0.35, 0.0, 2.0, 0.0};
+  FuzzyIsodataParams isodata{2.5, 0.3, 0.7, 0.4, 2.0, 1.0, 0.05};
+  int first_classes = 6;  ///< Spread evenly over the kept cells, > 0.
+  SingleLineParams single_line;
+};
+
+/// The clustering statistic Hough transform as printed: raw votes in one cell each, intercepts at the start
+/// of the window, features in m and m/s as they are, every sample given to some target, no refit, no test of
+/// the count. [Yan2018] section III. Fitted to its scene it is a baseline, not a tool.
+class CshtPrintedEstimator : public MotionEstimator {
+ public:
+  /// @throws std::invalid_argument on a parameter out of range.
+  CshtPrintedEstimator(const CshtPrintedParams& params, const core::SonarParams& sonar);
+
+  std::span<const core::MotionElement> update(const core::PosedScan& scan) override;
+  core::EstimatorMethod method() const override { return core::EstimatorMethod::csht_printed; }
+  int window_scans() const override { return params_.window_scans; }
+
+ private:
+  void keep_cells();
+  void spread_first_classes();
+  void correlate(std::span<const FeaturePoint> classes);
+  void report(const Line& north, const Line& east);
+
+  CshtPrintedParams params_;
+  HoughWindow window_;
+  HoughSpace north_votes_;
+  std::vector<VoteCell> cells_;
+  WeightedPoints points_;
+  std::vector<FeaturePoint> first_;
+  FuzzyIsodata isodata_;
+  SingleLine east_line_;
+  std::vector<int> class_of_;
+  std::vector<LineSample> east_samples_;
+  std::vector<core::MotionElement> elements_;
+};
+
+}  // namespace lookout::csht
