@@ -17,7 +17,7 @@ struct GnnParams {
   double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
   MotionModelParams motion;        ///< See there.
   TrackLifeParams life{
-      .confirm_hits = 4, .confirm_scans = 6, .max_misses = 5.0, .first_misses = 5.0, .misses_per_hit = 0.0};
+      .confirm_hits = 6, .confirm_scans = 12, .max_misses = 8.0, .first_misses = 8.0, .misses_per_hit = 0.0};
 };
 
 /// Global nearest neighbour with a Kalman filter a track. A detection that no track takes begins a tentative

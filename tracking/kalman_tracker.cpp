@@ -1,5 +1,8 @@
 #include "tracking/kalman_tracker.hpp"
 
+#include <stdexcept>
+#include <string>
+
 #include "core/field_of_view.hpp"
 #include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
@@ -24,7 +27,10 @@ KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams
       filter_(noises_of(sonar)),
       choose_([this](const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation) {
         return nearest(predicted, innovation);
-      }) {}
+      }) {
+  if (!(params.gate_distance > 0.0))
+    throw std::invalid_argument("gate_distance must be > 0, got " + std::to_string(params.gate_distance));
+}
 
 std::span<const core::Track> KalmanTracker::update(const core::PosedScan& scan) {
   const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
@@ -55,8 +61,9 @@ std::optional<Eigen::Vector2d> KalmanTracker::nearest(const Eigen::Vector2d& pre
   std::optional<std::size_t> best;
   double best_distance = gate_;
   for (std::size_t j = 0; j < detections_.size(); ++j) {
-    if (!free_detection_[j]) continue;
-    const double distance = squared_distance(detections_[j].p_earth - predicted, innovation);
+    const Eigen::Vector2d difference = detections_[j].p_earth - predicted;
+    if (!free_detection_[j] || difference.norm() >= params_.gate_distance) continue;
+    const double distance = squared_distance(difference, innovation);
     if (distance >= best_distance) continue;
     best = j;
     best_distance = distance;

@@ -10,10 +10,14 @@
 
 namespace lookout::tracking {
 
-/// The baseline of [Yan2018] Sec. V.C. What the paper leaves open, the confirmation, is M of N; how it was
-/// chosen stands in docs/tracking.md.
+/// The baseline of [Yan2018] Sec. V.C. What the paper leaves open is the gate and the confirmation, M of N;
+/// how they were chosen stands in docs/tracking.md.
 struct KalmanParams {
   double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
+  /// Largest distance from a prediction to its detection [m], > 0: with this process noise the statistical
+  /// gate of a track that was missed twice covers much of the sector. As in the faithful tracker's
+  /// association.
+  double gate_distance = 10.0;
   TrackLifeParams life{.confirm_hits = 3, .confirm_scans = 4};  ///< Ends as in the faithful tracker.
 };
 

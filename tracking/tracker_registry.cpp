@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "core/yaml_reader.hpp"
+#include "tracking/csht_tracker.hpp"
 #include "tracking/gnn_tracker.hpp"
 #include "tracking/kalman_tracker.hpp"
 
@@ -16,6 +17,17 @@ struct Entry {
   const char* name;
   Factory make;
 };
+
+std::unique_ptr<Tracker> make_csht(const TrackerParams& params, const core::SonarParams& sonar,
+                                   const csht::EstimatorParams& estimator, std::uint64_t seed) {
+  CshtTrackerParams csht;
+  csht.life.coast_s = params.coast_s;
+  csht.min_existence = params.min_existence;
+  // Half the fastest target's speed: 1.5 m/s for the sonar's 3 m/s.
+  csht.element_gate.velocity = 0.5 * sonar.max_speed;
+  return std::make_unique<CshtTracker>(csht, sonar,
+                                       csht::make_estimator(estimator.name, estimator, sonar, seed));
+}
 
 std::unique_ptr<Tracker> make_kalman(const TrackerParams& params, const core::SonarParams& sonar,
                                      const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
@@ -33,6 +45,7 @@ std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::Sonar
 
 /// One line a tracker.
 constexpr Entry kRegistry[] = {
+    {"csht", &make_csht},
     {"kalman", &make_kalman},
     {"gnn", &make_gnn},
 };

@@ -11,10 +11,10 @@ namespace {
 
 TEST(GnnTracker, ConfirmsOnTheMthEchoAndFollows) {
   GnnTracker tracker({}, {});
-  for (int k = 0; k < 3; ++k)
+  for (int k = 0; k < 5; ++k)
     ASSERT_EQ(tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}))[0].status, core::TrackStatus::tentative);
   std::span<const core::Track> tracks;
-  for (int k = 3; k < 40; ++k) tracks = tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}));
+  for (int k = 5; k < 40; ++k) tracks = tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}));
   ASSERT_EQ(tracks.size(), 1U);
   EXPECT_EQ(tracks[0].id, 1);
   EXPECT_NEAR(tracks[0].state(0), 50.0 + 0.5 * 39, 0.1);
@@ -25,7 +25,7 @@ TEST(GnnTracker, OneEchoMakesNoConfirmedTrack) {
   GnnTracker tracker({}, {});
   tracker.update(scan_of(0, {{50.0, 0.0}}));
   std::span<const core::Track> tracks;
-  for (int k = 1; k < 6; ++k) tracks = tracker.update(scan_of(k, {}));
+  for (int k = 1; k < 9; ++k) tracks = tracker.update(scan_of(k, {}));
   EXPECT_TRUE(tracks.empty());
 }
 

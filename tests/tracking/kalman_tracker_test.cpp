@@ -42,6 +42,9 @@ TEST(KalmanTracker, RefusesParametersOutOfRange) {
   KalmanParams params;
   params.gate_probability = 0.0;
   EXPECT_THROW(KalmanTracker(params, {}), std::invalid_argument);
+  params = {};
+  params.gate_distance = 0.0;
+  EXPECT_THROW(KalmanTracker(params, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/input_error.hpp"
+#include "tools/experiments/csht_tracking.hpp"
 #include "tools/experiments/csht_window.hpp"
 
 namespace lookout::tools {
@@ -10,6 +11,7 @@ namespace {
 
 const std::array kExperiments{
     ExperimentEntry{"csht-window", make_csht_window},
+    ExperimentEntry{"csht-tracking", make_csht_tracking},
 };
 
 }  // namespace

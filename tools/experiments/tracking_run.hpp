@@ -1,0 +1,28 @@
+#pragma once
+
+#include <vector>
+
+#include "core/track.hpp"
+#include "tools/experiments/experiment.hpp"
+#include "tools/experiments/simulated_run.hpp"
+#include "tracking/tracker.hpp"
+
+namespace lookout::tools {
+
+/// What a tracker said at every scan, and what it took.
+struct TrackingOutput {
+  std::vector<std::vector<core::Track>> tracks;  ///< Index by index with the scans.
+  double time_ms = 0.0;                          ///< Mean time of one update [ms].
+};
+
+/// The seed of a tracker in one run of an experiment, of a stream that the simulator does not use.
+std::uint64_t run_seed(std::uint64_t seed, int run);
+
+/// Runs a tracker over all scans of a run.
+TrackingOutput track(tracking::Tracker& tracker, const std::vector<TimedScan>& scans);
+
+/// All metrics of the tracking experiments: OSPA and its parts against the visible truth (`ospa_schedule`
+/// against the schedule), GOSPA and its parts, and how the targets were followed.
+Metrics score(const std::vector<TimedScan>& scans, const TrackingOutput& output);
+
+}  // namespace lookout::tools
