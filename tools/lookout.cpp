@@ -45,6 +45,7 @@ void declare_run(CLI::App& app, Options& options) {
   add_seed(app, options);
   add_tracking(app, options);
   app.add_flag("--known-sensor", options.known_sensor, "Tell the tracker the scene's true sensor figures");
+  app.add_option("--votes-at", options.votes_at, "Also write csht's vote matrices at this scenario time [s]");
   add_scoring(app, options);
 }
 

@@ -21,10 +21,11 @@ struct Options {
   bool known_sensor = false;  ///< `run` tells the tracker the scene's sensor figures.
   bool publish_estimates = false;
   int node_id = 1;
-  double cutoff = 20.0;           ///< OSPA cut-off [m].
-  double order = 2.0;             ///< OSPA order.
-  std::string truth = "visible";  ///< visible or schedule.
-  std::string times;              ///< CSV of scan times.
+  double cutoff = 20.0;            ///< OSPA cut-off [m].
+  double order = 2.0;              ///< OSPA order.
+  std::string truth = "visible";   ///< visible or schedule.
+  std::optional<double> votes_at;  ///< Scenario time of the vote matrices to write [s].
+  std::string times;               ///< CSV of scan times.
   bool json = false;
   std::string tracks_channel;  ///< Channel that `score` listens to.
   std::string lcm_url;

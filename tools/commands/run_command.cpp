@@ -12,6 +12,7 @@
 #include "tools/progress_bar.hpp"
 #include "tools/scoring.hpp"
 #include "tools/tracking_chain.hpp"
+#include "tools/vote_matrices.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -113,6 +114,9 @@ void write_run(const std::string& directory, const Run& run, const Configuration
   core::write_recording(directory, run.recording);
   core::write_tracks(directory + "/tracks.csv", run.output.tracks);
   core::write_elements(directory + "/elements.csv", run.output.elements);
+  if (options.votes_at)
+    write_vote_matrices(run.recording, *run.recording.params, core::microseconds(*options.votes_at),
+                        directory);
   tracking::Scorer scorer = make_scorer(options);
   write_ospa(directory + "/ospa.csv", run, scorer);
   write_summary(directory + "/summary.json", run, configuration, scorer, options);
