@@ -1,0 +1,76 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <lcm/lcm-cpp.hpp>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "lcmtypes/inbox.hpp"
+
+namespace lookout::lcmtypes {
+
+/// LCM could not be opened, or has closed.
+struct BusError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// One connection to LCM. Subscriptions are raw with a guarded decode, so that no datagram can throw through
+/// the C library; everything is counted. Works on udpm, tcpq, memq and file transports. Not for several
+/// threads.
+class Bus {
+ public:
+  static constexpr std::size_t kLargestMessage = 65'499;  ///< One datagram [bytes].
+  static constexpr int kQueueCapacity = 1000;             ///< Messages that wait per subscription.
+
+  enum class Heard {
+    message,  ///< At least one message was handled.
+    nothing,  ///< The time ran out, or a signal came.
+    closed    ///< The transport is at its end: a file read through, or a server gone.
+  };
+
+  /// @param url of the transport; empty: LCM_DEFAULT_URL, else LCM's default.
+  /// @throws core::InputError where it is no LCM URL; BusError where LCM cannot open it.
+  explicit Bus(const std::string& url = "");
+
+  /// Calls `handler(core_value)` for each good message. @throws BusError where LCM refuses.
+  template <class Wire, class Handler>
+  void subscribe(const std::string& channel, Handler handler) {
+    inbox_.on<Wire>(channel, std::move(handler));
+    listen(channel);
+  }
+  void subscribe_bytes(const std::string& channel,
+                       std::function<void(std::span<const std::uint8_t>)> handler);
+
+  /// @throws std::length_error above kLargestMessage. A failure to send is counted.
+  template <class Wire>
+  void publish(const std::string& channel, const Wire& wire) {
+    const int size = wire.getEncodedSize();
+    if (size < 0 || static_cast<std::size_t>(size) > kLargestMessage)
+      throw std::length_error(channel + ": a message of " + std::to_string(size) +
+                              " bytes does not fit a datagram");
+    buffer_.resize(static_cast<std::size_t>(size));
+    if (wire.encode(buffer_.data(), 0, size) != size)
+      throw std::length_error(channel + ": message not encodable");
+    send(channel);
+  }
+
+  Heard handle_for(std::chrono::milliseconds timeout);  ///< Waits for a message and handles it.
+  Heard drain();  ///< Handles what has arrived; never waits. Stops after kQueueCapacity messages.
+
+  const Inbox& inbox() const { return inbox_; }
+  std::int64_t send_errors() const { return send_errors_; }
+
+ private:
+  void listen(const std::string& channel);
+  void send(const std::string& channel);
+
+  std::unique_ptr<lcm::LCM> lcm_;
+  Inbox inbox_;
+  std::vector<std::uint8_t> buffer_;
+  std::int64_t send_errors_ = 0;
+};
+
+}  // namespace lookout::lcmtypes

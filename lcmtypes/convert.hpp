@@ -1,0 +1,103 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include <lookout/ground_truth_t.hpp>
+#include <lookout/local_estimate_t.hpp>
+#include <lookout/motion_elements_t.hpp>
+#include <lookout/ospa_t.hpp>
+#include <lookout/sensor_estimate_t.hpp>
+#include <lookout/sonar_image_t.hpp>
+#include <lookout/sonar_scan_t.hpp>
+#include <lookout/track_list_t.hpp>
+#include <lookout/vehicle_state_t.hpp>
+#include "core/ground_truth.hpp"
+#include "core/local_estimate.hpp"
+#include "core/motion_element.hpp"
+#include "core/pose_history.hpp"
+#include "core/recording.hpp"
+#include "core/sensor_estimate.hpp"
+#include "core/sonar_image.hpp"
+#include "core/sonar_scan.hpp"
+#include "core/track.hpp"
+
+/// Wire <-> core. `to_core` trusts nothing: counts must agree with sizes, floats be finite, booleans 0 or 1,
+/// codes known, times within core::kMaxUtime; what fails is refused with its reason. `to_wire` keeps every
+/// message below one datagram.
+namespace lookout::lcmtypes {
+
+inline constexpr std::size_t kMaxListed = 300;    ///< Tracks or elements in one message.
+inline constexpr std::size_t kMaxReturns = 2700;  ///< Echoes in one message: 24 bytes each.
+inline constexpr std::size_t kMaxTargets = 1700;  ///< True targets in one message: 37 bytes each.
+inline constexpr std::size_t kMaxPixels = 32700;  ///< Beams x bins of an image in one message: 2 bytes each.
+
+/// A message as core type, or the reason why it was refused.
+template <class Core>
+struct Converted {
+  std::optional<Core> value;
+  std::string_view refusal;  ///< Empty where there is a value.
+};
+
+/// The scan that a result belongs to.
+struct ScanKey {
+  std::int64_t utime = 0;      ///< [us]
+  std::int64_t sequence = 0;   ///< Of the scan.
+  std::int32_t source_id = 0;  ///< Its sensor_id; node_id on GLOBAL_TRACKS.
+};
+
+/// Tracks with the scan that they belong to.
+struct KeyedTracks {
+  ScanKey key;
+  std::vector<core::Track> tracks;
+};
+
+/// Motion elements with the scan that they belong to and the estimator that found them.
+struct KeyedElements {
+  ScanKey key;
+  core::EstimatorMethod method = core::EstimatorMethod::csht;
+  int window_scans = 0;
+  std::vector<core::MotionElement> elements;
+};
+
+/// The sensor's figures with the scan after which they hold.
+struct KeyedSensorEstimate {
+  ScanKey key;
+  core::SensorEstimate estimate;
+};
+
+/// A message made from a list, and how many entries found no room in it.
+template <class Wire>
+struct Listed {
+  Wire message;
+  std::size_t left_out = 0;
+};
+
+Converted<core::VehicleState> to_core(const vehicle_state_t& wire);
+Converted<core::SonarScan> to_core(const sonar_scan_t& wire);
+Converted<core::SonarImage> to_core(const sonar_image_t& wire);
+Converted<core::GroundTruth> to_core(const ground_truth_t& wire);
+Converted<KeyedElements> to_core(const motion_elements_t& wire);
+Converted<KeyedTracks> to_core(const track_list_t& wire);
+Converted<KeyedSensorEstimate> to_core(const sensor_estimate_t& wire);
+Converted<core::LocalEstimate> to_core(const local_estimate_t& wire);
+
+vehicle_state_t to_wire(const core::VehicleState& state);
+/// @throws std::length_error above kMaxReturns.
+sonar_scan_t to_wire(const core::SonarScan& scan);
+/// Intensities become integers in steps of the largest magnitude / 32767.
+/// @throws std::length_error above kMaxPixels: such an image does not fit one datagram.
+sonar_image_t to_wire(const core::SonarImage& image);
+/// @throws std::length_error above kMaxTargets.
+ground_truth_t to_wire(const core::GroundTruth& truth);
+/// Of more than kMaxListed elements the most probable, in their order.
+Listed<motion_elements_t> to_wire(const ScanKey& key, core::EstimatorMethod method, int window_scans,
+                                  std::span<const core::MotionElement> elements);
+/// Of more than kMaxListed tracks the most probable, in their order.
+Listed<track_list_t> to_wire(const ScanKey& key, std::span<const core::Track> tracks);
+sensor_estimate_t to_wire(const ScanKey& key, const core::SensorEstimate& estimate);
+local_estimate_t to_wire(const core::LocalEstimate& estimate);
+
+}  // namespace lookout::lcmtypes

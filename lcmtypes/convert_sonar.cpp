@@ -1,0 +1,135 @@
+// What the sonar sends: scans and images.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "lcmtypes/convert.hpp"
+#include "lcmtypes/wire_checks.hpp"
+
+namespace lookout::lcmtypes {
+namespace {
+
+/// What both kinds of ping have in common.
+template <class Wire, class Core>
+void copy_header_to_core(const Wire& wire, Core& ping) {
+  ping.utime = wire.utime;
+  ping.sequence = wire.sequence;
+  ping.sensor_id = wire.sensor_id;
+  ping.T_body_sonar = {wire.mount_x, wire.mount_y, wire.mount_heading};
+  ping.first_bearing = wire.first_bearing;
+  ping.bearing_step = wire.bearing_step;
+  ping.num_beams = wire.num_beams;
+}
+
+template <class Core, class Wire>
+void copy_header_to_wire(const Core& ping, Wire& wire) {
+  wire.utime = ping.utime;
+  wire.sequence = ping.sequence;
+  wire.sensor_id = ping.sensor_id;
+  wire.mount_x = ping.T_body_sonar.north;
+  wire.mount_y = ping.T_body_sonar.east;
+  wire.mount_heading = ping.T_body_sonar.heading;
+  wire.first_bearing = ping.first_bearing;
+  wire.bearing_step = ping.bearing_step;
+  wire.num_beams = static_cast<std::int16_t>(ping.num_beams);
+}
+
+template <class Wire>
+bool header_finite(const Wire& wire) {
+  return all_finite({wire.mount_x, wire.mount_y, wire.mount_heading, wire.first_bearing, wire.bearing_step});
+}
+
+bool is_rectangular(const sonar_image_t& wire) {
+  const auto is_full = [&wire](const auto& row) { return agrees(wire.num_bins, row.size()); };
+  return agrees(wire.num_beams, wire.intensity.size()) &&
+         std::all_of(wire.intensity.begin(), wire.intensity.end(), is_full);
+}
+
+double largest_magnitude(const std::vector<double>& values) {
+  double largest = 0.0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+void require_at_most(std::size_t size, std::size_t limit, const char* what) {
+  if (size <= limit) return;
+  throw std::length_error(std::string(what) + ": " + std::to_string(size) +
+                          " do not fit one datagram, at most " + std::to_string(limit) + " do");
+}
+
+}  // namespace
+
+Converted<core::SonarScan> to_core(const sonar_scan_t& wire) {
+  if (!is_time(wire.utime)) return {{}, "scan: time out of range"};
+  if (!agrees(wire.num_returns, wire.bearing.size()) || !agrees(wire.num_returns, wire.range.size()) ||
+      !agrees(wire.num_returns, wire.intensity.size()))
+    return {{}, "scan: number of returns disagrees with their lists"};
+  if (wire.bearing.size() > kMaxReturns) return {{}, "scan: too many returns"};
+  if (!header_finite(wire) || !std::isfinite(wire.max_range)) return {{}, "scan: header not finite"};
+  if (!all_finite(wire.bearing) || !all_finite(wire.range) || !all_finite(wire.intensity))
+    return {{}, "scan: returns not finite"};
+  core::SonarScan scan;
+  copy_header_to_core(wire, scan);
+  scan.max_range = wire.max_range;
+  scan.returns.reserve(wire.bearing.size());
+  for (std::size_t i = 0; i < wire.bearing.size(); ++i)
+    scan.returns.push_back({wire.bearing[i], wire.range[i], wire.intensity[i]});
+  return {std::move(scan), {}};
+}
+
+sonar_scan_t to_wire(const core::SonarScan& scan) {
+  require_at_most(scan.returns.size(), kMaxReturns, "returns of a scan");
+  sonar_scan_t wire{};
+  copy_header_to_wire(scan, wire);
+  wire.max_range = scan.max_range;
+  wire.num_returns = static_cast<std::int16_t>(scan.returns.size());
+  for (const auto& echo : scan.returns) {
+    wire.bearing.push_back(echo.bearing);
+    wire.range.push_back(echo.range);
+    wire.intensity.push_back(echo.intensity);
+  }
+  return wire;
+}
+
+Converted<core::SonarImage> to_core(const sonar_image_t& wire) {
+  if (!is_time(wire.utime)) return {{}, "image: time out of range"};
+  if (!is_rectangular(wire)) return {{}, "image: beams or bins disagree with the intensities"};
+  if (wire.intensity.size() * static_cast<std::size_t>(wire.num_bins) > kMaxPixels)
+    return {{}, "image: too many pixels"};
+  if (!header_finite(wire) || !all_finite({wire.first_range, wire.range_step, wire.intensity_scale}))
+    return {{}, "image: header not finite"};
+  if (!(wire.intensity_scale > 0.0)) return {{}, "image: intensity scale not above 0"};
+  core::SonarImage image;
+  copy_header_to_core(wire, image);
+  image.first_range = wire.first_range;
+  image.range_step = wire.range_step;
+  image.num_bins = wire.num_bins;
+  image.intensity.reserve(wire.intensity.size() * static_cast<std::size_t>(wire.num_bins));
+  for (const auto& row : wire.intensity) {
+    for (const std::int16_t level : row) image.intensity.push_back(wire.intensity_scale * level);
+  }
+  return {std::move(image), {}};
+}
+
+sonar_image_t to_wire(const core::SonarImage& image) {
+  const auto num_bins = static_cast<std::size_t>(image.num_bins);
+  require_at_most(image.intensity.size(), kMaxPixels, "pixels of an image");
+  if (image.intensity.size() != static_cast<std::size_t>(image.num_beams) * num_bins)
+    throw std::length_error("image: num_beams x num_bins disagrees with the intensities");
+  sonar_image_t wire{};
+  copy_header_to_wire(image, wire);
+  wire.first_range = image.first_range;
+  wire.range_step = image.range_step;
+  wire.num_bins = static_cast<std::int16_t>(image.num_bins);
+  const double largest = largest_magnitude(image.intensity);
+  wire.intensity_scale = largest > 0.0 ? largest / std::numeric_limits<std::int16_t>::max() : 1.0;
+  wire.intensity.assign(static_cast<std::size_t>(image.num_beams), std::vector<std::int16_t>(num_bins));
+  for (std::size_t pixel = 0; pixel < image.intensity.size(); ++pixel)
+    wire.intensity[pixel / num_bins][pixel % num_bins] =
+        static_cast<std::int16_t>(std::lround(image.intensity[pixel] / wire.intensity_scale));
+  return wire;
+}
+
+}  // namespace lookout::lcmtypes

@@ -1,0 +1,60 @@
+#include "lcmtypes/inbox.hpp"
+
+#include <stdexcept>
+
+namespace lookout::lcmtypes {
+
+void Inbox::add(const std::string& channel,
+                std::function<std::string_view(const void*, std::size_t, Entry&)> take) {
+  if (!entries_.try_emplace(channel, Entry{std::move(take), {}, {}}).second)
+    throw std::invalid_argument("channel " + channel + " has a handler already");
+}
+
+void Inbox::on_bytes(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler) {
+  add(channel, [handler = std::move(handler)](const void* data, std::size_t size, Entry&) {
+    handler({static_cast<const std::uint8_t*>(data), size});
+    return std::string_view();
+  });
+}
+
+void Inbox::take(const std::string& channel, const void* data, std::size_t size) noexcept {
+  const auto found = entries_.find(channel);
+  if (found == entries_.end()) return;
+  Entry& entry = found->second;
+  ++entry.counts.received;
+  try {
+    const std::string_view refusal = entry.take(data, size, entry);
+    if (!refusal.empty()) note(channel, refusal);
+  } catch (const std::exception& error) {
+    ++entry.counts.handler_errors;
+    note(channel, error.what());
+  } catch (...) {
+    ++entry.counts.handler_errors;
+    note(channel, "unknown exception");
+  }
+}
+
+void Inbox::note(const std::string& channel, std::string_view what) noexcept {
+  try {
+    last_error_ = channel + ": " + std::string(what);
+  } catch (...) {
+    // Out of memory: the counts still tell.
+  }
+}
+
+ChannelCounts Inbox::counts(const std::string& channel) const {
+  const auto found = entries_.find(channel);
+  if (found == entries_.end()) return {};
+  ChannelCounts counts = found->second.counts;
+  counts.lost = found->second.gaps.lost();
+  counts.restarts = found->second.gaps.restarts();
+  return counts;
+}
+
+std::int64_t Inbox::bad_messages() const {
+  std::int64_t sum = 0;
+  for (const auto& [channel, entry] : entries_) sum += entry.counts.undecodable + entry.counts.refused;
+  return sum;
+}
+
+}  // namespace lookout::lcmtypes

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "core/sequence_gaps.hpp"
+#include "lcmtypes/convert.hpp"
+
+namespace lookout::lcmtypes {
+
+/// What became of the messages of one channel.
+struct ChannelCounts {
+  std::int64_t received = 0;     ///< All of them.
+  std::int64_t undecodable = 0;  ///< Of another type, truncated, with trailing bytes, or with absurd counts.
+  std::int64_t refused = 0;      ///< Decoded but damaged: `to_core` gave no value.
+  std::int64_t handler_errors = 0;  ///< The handler threw.
+  std::int64_t lost = 0;            ///< Skipped sequence numbers, on the link or in LCM's full queue.
+  std::int64_t restarts = 0;        ///< Sequence numbers that went backwards.
+};
+
+/// Decodes a message of `size` bytes, all of them. Nothing where they are not exactly one message of the
+/// type.
+template <class Wire>
+std::optional<Wire> decode(const void* data, std::size_t size) noexcept {
+  try {
+    if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+    Wire wire{};  // Fresh: the generated decode leaves old lists in place where the new ones are empty.
+    if (wire.decode(data, 0, static_cast<int>(size)) != static_cast<int>(size)) return std::nullopt;
+    return wire;
+  } catch (...) {  // A negative count makes the generated decode ask for the impossible.
+    return std::nullopt;
+  }
+}
+
+/// Takes raw messages to the handlers of their channels: guarded decode, conversion, counting. It knows no
+/// transport and lets no exception out, so that it can stand behind a C callback.
+class Inbox {
+ public:
+  /// Calls `handler(core_value)` for each good message of type `Wire` on `channel`. One handler a channel.
+  template <class Wire, class Handler>
+  void on(const std::string& channel, Handler handler) {
+    add(channel, [handler = std::move(handler)](const void* data, std::size_t size, Entry& entry) {
+      const auto wire = decode<Wire>(data, size);
+      if (!wire) return ++entry.counts.undecodable, std::string_view("not one whole message of its type");
+      if constexpr (requires { wire->sequence; }) entry.gaps.add(wire->sequence);
+      auto converted = to_core(*wire);
+      if (!converted.value) return ++entry.counts.refused, converted.refusal;
+      handler(*std::move(converted.value));
+      return std::string_view();
+    });
+  }
+
+  /// Calls `handler(bytes)` with each message of `channel` as it came, for what is not to be decoded.
+  void on_bytes(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler);
+
+  /// Hands one message over. Messages of channels without a handler are passed by.
+  void take(const std::string& channel, const void* data, std::size_t size) noexcept;
+
+  ChannelCounts counts(const std::string& channel) const;  ///< All 0 for a channel without a handler.
+  std::int64_t bad_messages() const;                       ///< Undecodable and refused, over all channels.
+  const std::string& last_error() const { return last_error_; }  ///< Channel and reason; empty for none.
+
+ private:
+  struct Entry {
+    std::function<std::string_view(const void*, std::size_t, Entry&)> take;
+    ChannelCounts counts;
+    core::SequenceGaps gaps;
+  };
+  void add(const std::string& channel,
+           std::function<std::string_view(const void*, std::size_t, Entry&)> take);
+  void note(const std::string& channel, std::string_view what) noexcept;
+
+  std::map<std::string, Entry> entries_;
+  std::string last_error_;
+};
+
+}  // namespace lookout::lcmtypes

@@ -1,0 +1,78 @@
+#include "lcmtypes/bus.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/input_error.hpp"
+#include "tests/lcmtypes/example_messages.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace lookout::lcmtypes {
+namespace {
+
+using std::chrono::milliseconds;
+
+TEST(Bus, TakesAMessageFromPublisherToHandler) {
+  Bus bus("memq://");
+  std::vector<std::int64_t> seen;
+  bus.subscribe<sonar_scan_t>("SONAR_SCAN", [&](const core::SonarScan& scan) { seen.push_back(scan.utime); });
+  bus.publish("SONAR_SCAN", to_wire(tests::example_scan()));
+  EXPECT_EQ(bus.handle_for(milliseconds(1000)), Bus::Heard::message);
+  EXPECT_EQ(seen, std::vector<std::int64_t>{2'000'000});
+}
+
+TEST(Bus, WaitsNoLongerThanItIsTold) {
+  Bus bus("memq://");
+  EXPECT_EQ(bus.handle_for(milliseconds(1)), Bus::Heard::nothing);
+  EXPECT_EQ(bus.drain(), Bus::Heard::nothing);
+}
+
+TEST(Bus, GoesOnAfterAHandlerThatThrows) {
+  Bus bus("memq://");
+  bus.subscribe<sonar_scan_t>("SONAR_SCAN", [](const auto&) { throw std::runtime_error("no"); });
+  for (int i = 0; i < 3; ++i) bus.publish("SONAR_SCAN", to_wire(tests::example_scan()));
+  bus.drain();
+  EXPECT_EQ(bus.inbox().counts("SONAR_SCAN").handler_errors, 3);
+}
+
+TEST(Bus, GoesOnAfterGarbageOnItsChannel) {
+  Bus bus("memq://");
+  int seen = 0;
+  bus.subscribe<sonar_scan_t>("SONAR_SCAN", [&](const auto&) { ++seen; });
+  bus.publish("SONAR_SCAN", to_wire(tests::example_state()));  // A message of another type.
+  bus.publish("SONAR_SCAN", to_wire(tests::example_scan()));
+  bus.drain();
+  EXPECT_EQ(seen, 1);
+  EXPECT_EQ(bus.inbox().counts("SONAR_SCAN").undecodable, 1);
+}
+
+TEST(Bus, RefusesAMessageAboveOneDatagram) {
+  Bus bus("memq://");
+  ground_truth_t truth{};
+  truth.num_targets = 2000;
+  truth.targets.resize(2000);
+  EXPECT_THROW(bus.publish("GROUND_TRUTH", truth), std::length_error);
+}
+
+TEST(Bus, WritesAFileThatReadsBackToItsEnd) {
+  const tests::TemporaryDirectory directory;
+  const std::string log = directory.file("scans.lcm");
+  {
+    Bus writer("file://" + log + "?mode=w");
+    for (int i = 0; i < 5; ++i) writer.publish("SONAR_SCAN", to_wire(tests::example_scan()));
+  }
+  Bus reader("file://" + log + "?speed=0");
+  int seen = 0;
+  reader.subscribe<sonar_scan_t>("SONAR_SCAN", [&](const auto&) { ++seen; });
+  while (reader.handle_for(milliseconds(1000)) == Bus::Heard::message) {
+  }
+  EXPECT_EQ(seen, 5);
+  EXPECT_EQ(reader.handle_for(milliseconds(1000)), Bus::Heard::closed);
+}
+
+TEST(Bus, SaysWhatIsWrongWithItsUrl) {
+  EXPECT_THROW(Bus("http://localhost"), core::InputError);
+  EXPECT_THROW(Bus("file:///nowhere/at/all.lcm"), BusError);
+}
+
+}  // namespace
+}  // namespace lookout::lcmtypes

@@ -1,0 +1,61 @@
+#include "lcmtypes/inbox.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/lcmtypes/example_messages.hpp"
+
+namespace lookout::lcmtypes {
+namespace {
+
+std::vector<std::uint8_t> scan_bytes(std::int64_t sequence) {
+  auto scan = tests::example_scan();
+  scan.sequence = sequence;
+  return tests::encoded(to_wire(scan));
+}
+
+TEST(Inbox, HandsGoodMessagesToTheHandlerOfTheirChannel) {
+  Inbox inbox;
+  std::vector<std::int64_t> seen;
+  inbox.on<sonar_scan_t>("SONAR_SCAN", [&](const core::SonarScan& scan) { seen.push_back(scan.sequence); });
+  const auto bytes = scan_bytes(3);
+  inbox.take("SONAR_SCAN", bytes.data(), bytes.size());
+  inbox.take("ELSEWHERE", bytes.data(), bytes.size());
+  EXPECT_EQ(seen, std::vector<std::int64_t>{3});
+}
+
+TEST(Inbox, CountsGapsAndRestarts) {
+  Inbox inbox;
+  inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) {});
+  for (const std::int64_t sequence : {1, 2, 5, 6, 1}) {
+    const auto bytes = scan_bytes(sequence);
+    inbox.take("SONAR_SCAN", bytes.data(), bytes.size());
+  }
+  EXPECT_EQ(inbox.counts("SONAR_SCAN").lost, 2);  // 3 and 4.
+  EXPECT_EQ(inbox.counts("SONAR_SCAN").restarts, 1);
+}
+
+TEST(Inbox, LetsNoExceptionOutOfAHandler) {
+  Inbox inbox;
+  inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) { throw std::runtime_error("disk full"); });
+  const auto bytes = scan_bytes(3);
+  inbox.take("SONAR_SCAN", bytes.data(), bytes.size());
+  EXPECT_EQ(inbox.counts("SONAR_SCAN").handler_errors, 1);
+  EXPECT_EQ(inbox.last_error(), "SONAR_SCAN: disk full");
+}
+
+TEST(Inbox, HandsBytesOnUndecoded) {
+  Inbox inbox;
+  std::size_t size = 0;
+  inbox.on_bytes("LOOKOUT_STATUS", [&](std::span<const std::uint8_t> bytes) { size = bytes.size(); });
+  inbox.take("LOOKOUT_STATUS", "12345", 5);
+  EXPECT_EQ(size, 5u);
+}
+
+TEST(Inbox, RefusesASecondHandlerOfOneChannel) {
+  Inbox inbox;
+  inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) {});
+  EXPECT_THROW(inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::lcmtypes

@@ -1,0 +1,94 @@
+#include "lcmtypes/log_reader.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "core/input_error.hpp"
+#include "tests/temporary_directory.hpp"
+
+namespace lookout::lcmtypes {
+namespace {
+
+constexpr int kEvents = 10;
+constexpr std::int64_t kEventSize = 28 + 7 + 100;  // LCM's event header, "CHANNEL" and 100 bytes.
+
+/// A log of kEvents equal events, whose path is returned.
+std::string write_log(const tests::TemporaryDirectory& directory) {
+  const std::string path = directory.file("log.lcm");
+  lcm::LogFile log(path, "w");
+  std::string payload(100, 'x');
+  for (int i = 0; i < kEvents; ++i) {
+    lcm::LogEvent event{};
+    event.timestamp = i;
+    event.channel = "CHANNEL";
+    event.datalen = static_cast<int>(payload.size());
+    event.data = payload.data();
+    log.writeEvent(&event);
+  }
+  return path;
+}
+
+int read_all(LogReader& log) {
+  int count = 0;
+  while (const auto message = log.next()) {
+    EXPECT_EQ(message->channel, "CHANNEL");
+    EXPECT_EQ(message->bytes.size(), 100u);
+    ++count;
+  }
+  return count;
+}
+
+TEST(LogReader, ReadsAWholeLogWithoutDamage) {
+  const tests::TemporaryDirectory directory;
+  LogReader log(write_log(directory));
+  EXPECT_EQ(read_all(log), kEvents);
+  EXPECT_EQ(log.messages(), kEvents);
+  EXPECT_EQ(log.damages(), 0);
+  EXPECT_EQ(log.bytes_lost(), 0);
+}
+
+TEST(LogReader, CountsACutEnd) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = write_log(directory);
+  std::filesystem::resize_file(path, 6 * kEventSize + 50);
+  LogReader log(path);
+  EXPECT_EQ(read_all(log), 6);
+  EXPECT_EQ(log.damages(), 1);
+  EXPECT_EQ(log.bytes_lost(), 50);
+}
+
+TEST(LogReader, StepsOverDamageInTheMiddle) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = write_log(directory);
+  {
+    std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(4 * kEventSize);
+    file.write("\0\0\0\0", 4);  // The fifth event's mark.
+  }
+  LogReader log(path);
+  EXPECT_GE(read_all(log),
+            kEvents - 2);  // The fifth, and at most the one before, whose end LCM checks by it.
+  EXPECT_GE(log.damages(), 1);
+}
+
+TEST(LogReader, ReadsAnEmptyLogAndRefusesNoFile) {
+  const tests::TemporaryDirectory directory;
+  LogReader log(directory.write("empty.lcm", ""));
+  EXPECT_FALSE(log.next());
+  EXPECT_EQ(log.damages(), 0);
+  EXPECT_THROW(LogReader("/nowhere/at/all.lcm"), core::InputError);
+  EXPECT_THROW(LogReader(directory.path()), core::InputError);
+}
+
+TEST(LogReader, SurvivesAFileThatIsNoLog) {
+  const tests::TemporaryDirectory directory;
+  LogReader log(directory.write("no.lcm", std::string(1000, 'y')));
+  EXPECT_FALSE(log.next());
+  EXPECT_EQ(log.damages(), 1);
+  EXPECT_EQ(log.bytes_lost(), 1000);
+}
+
+}  // namespace
+}  // namespace lookout::lcmtypes
