@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 
 #include "tracking/track_before_detect/cell_expectation_forms.hpp"
 
