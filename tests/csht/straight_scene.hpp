@@ -21,7 +21,8 @@ struct Course {
 /// What the echoes get wrong.
 struct Errors {
   double range_sigma = 0.0;
-  bool quantise = false;  ///< Bearings at beam centres.
+  double cross_sigma = 0.0;  ///< Across the line of sight [m].
+  bool quantise = false;     ///< Bearings at beam centres.
   double p_miss = 0.0;
   int clutter_per_scan = 0;  ///< In beams without an echo.
 };
@@ -48,7 +49,7 @@ inline std::vector<core::PosedScan> scans_of(const std::vector<Course>& courses,
     scan.max_range = params.max_range;
     for (const auto& course : courses) {
       const Eigen::Vector2d p = course.at(0.5 * k);
-      const double bearing = std::atan2(p.y(), p.x());
+      const double bearing = std::atan2(p.y(), p.x()) + random.gaussian(errors.cross_sigma / p.norm());
       const double range = p.norm() + random.gaussian(errors.range_sigma);
       if (random.bernoulli(errors.p_miss)) continue;
       scan.returns.push_back(

@@ -1,7 +1,8 @@
 #include "tools/experiments/csht_window.hpp"
 
+#include <Eigen/Cholesky>
+#include <algorithm>
 #include <chrono>
-#include <fstream>
 
 #include "csht/estimator_registry.hpp"
 #include "sonar_sim/scene.hpp"
@@ -78,6 +79,22 @@ std::vector<Cell> CshtWindow::cells() const {
   return cells;
 }
 
+/// Mean over the targets of the squared error in units of the reported covariance, over its 4 degrees; of a
+/// window with the right count, each element against the target nearest to it.
+double mean_nees(const core::GroundTruth& truth, const std::vector<core::MotionElement>& elements) {
+  double sum = 0.0;
+  for (const auto& element : elements) {
+    const auto nearest =
+        std::min_element(truth.targets.begin(), truth.targets.end(), [&](const auto& a, const auto& b) {
+          return (a.position - element.position).norm() < (b.position - element.position).norm();
+        });
+    Eigen::Vector4d error;
+    error << element.position - nearest->position, element.velocity - nearest->velocity;
+    sum += error.dot(element.covariance.llt().solve(error)) / 4.0;
+  }
+  return sum / static_cast<double>(elements.size());
+}
+
 /// The window's scans through the estimator; its answer to the newest, and what that one took.
 struct Answer {
   std::vector<core::MotionElement> elements;
@@ -120,6 +137,8 @@ Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
   metrics["position_ospa"] = ospa(truth.positions, found.positions).total;
   metrics["velocity_ospa"] = ospa(truth.velocities, found.velocities).total;
   if (count_right) metrics["velocity_ospa_count_right"] = metrics["velocity_ospa"];
+  if (count_right && !answer.elements.empty())
+    metrics["nees"] = mean_nees(scans.back().truth, answer.elements);
   metrics["count_correct"] = count_right ? 1.0 : 0.0;
   metrics["bound"] = ospa(truth.positions, reference.positions).total;
   metrics["velocity_bound"] = ospa(truth.velocities, reference.velocities).total;

@@ -1,0 +1,97 @@
+#include "csht/count_decision.hpp"
+
+#include <gtest/gtest.h>
+
+#include "csht/refit.hpp"
+#include "tests/csht/straight_scene.hpp"
+
+namespace lookout::csht {
+namespace {
+
+/// A window, and the fit to the course of its scene.
+struct Fitted {
+  HoughWindow window{20, testing::sonar(), 0.2};
+  Candidate candidate;
+  std::vector<char> free;
+
+  Fitted(const std::vector<core::PosedScan>& scans, const testing::Course& course) {
+    for (const auto& scan : scans) window.add(scan);
+    free.assign(window.samples().size(), 1);
+    candidate.state << course.at(window.centre_time()), course.velocity;
+    EXPECT_TRUE(Refit({}).fit(candidate, window, window.centre_time(), free));
+  }
+  double evidence() const {
+    CountDecision decision({});
+    decision.prepare(window);
+    return decision.log_evidence(candidate, window, window.centre_time(), free,
+                                 static_cast<int>(free.size()));
+  }
+};
+
+const testing::Course kFar{{100, 10}, {0, 0.5}};
+
+std::vector<core::PosedScan> with_misses(double p_miss, int clutter = 0) {
+  core::Random random(7);
+  return testing::scans_of({kFar}, 20, {0.0, 0.0, true, p_miss, clutter}, random);
+}
+
+TEST(CountDecision, ATargetThatIsAlwaysSeenIsEvident) {
+  EXPECT_GT(Fitted(with_misses(0.0), kFar).evidence(), 50.0);
+}
+
+TEST(CountDecision, MissesAndClutterWeakenTheEvidence) {
+  const double clean = Fitted(with_misses(0.0), kFar).evidence();
+  const double missed = Fitted(with_misses(0.5), kFar).evidence();
+  const double cluttered = Fitted(with_misses(0.0, 30), kFar).evidence();
+  EXPECT_LT(missed, clean);
+  EXPECT_LT(cluttered, clean);
+}
+
+// The same 20 echoes, once 100 m ahead, once 2 m ahead: there a metre across is 30 degrees, clutter is as
+// dense on the ground as it is nowhere else, and the pile says little.
+TEST(CountDecision, APileBesideTheSonarIsWeakEvidence) {
+  const testing::Course near{{2, 0}, {0, 0}}, far{{100, 0}, {0, 0}};
+  const double beside = Fitted(testing::scans_of({near}), near).evidence();
+  const double ahead = Fitted(testing::scans_of({far}), far).evidence();
+  EXPECT_LT(beside, ahead - 20.0);
+}
+
+// Five scans without an own echo: a foreign range in the target's beam speaks more against it than silence.
+TEST(CountDecision, AForeignRangeInItsBeamSpeaksAgainstATarget) {
+  auto silent = with_misses(0.0), foreign = with_misses(0.0);
+  for (std::size_t k = 5; k < 10; ++k) {
+    silent[k].scan.returns.clear();
+    foreign[k].scan.returns.front().range = 30.0;
+  }
+  EXPECT_LT(Fitted(foreign, kFar).evidence(), Fitted(silent, kFar).evidence() - 1.0);
+}
+
+TEST(CountDecision, OfferedCandidatesNeedLess) {
+  CountDecision decision({});
+  Candidate candidate;
+  candidate.support = 4;
+  candidate.log_evidence = -1.0;
+  EXPECT_FALSE(decision.accepts(candidate, 0));
+  candidate.offered = true;
+  EXPECT_TRUE(decision.accepts(candidate, 0));
+}
+
+// .36 of 18 echoes are 6.5: six are too few beside such a target, seven are enough.
+TEST(CountDecision, SupportIsMeasuredAgainstTheBestTarget) {
+  CountDecision decision({});
+  Candidate candidate;
+  candidate.log_evidence = 10.0;
+  candidate.support = 6;
+  EXPECT_FALSE(decision.accepts(candidate, 18));
+  candidate.support = 7;
+  EXPECT_TRUE(decision.accepts(candidate, 18));
+}
+
+TEST(CountDecision, RefusesNonsense) {
+  CountDecisionParams params;
+  params.edge = 0.7;
+  EXPECT_THROW(CountDecision{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::csht
