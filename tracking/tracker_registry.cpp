@@ -5,6 +5,7 @@
 #include "core/yaml_reader.hpp"
 #include "tracking/csht_tracker.hpp"
 #include "tracking/gnn_tracker.hpp"
+#include "tracking/joint_tracker.hpp"
 #include "tracking/kalman_tracker.hpp"
 
 namespace lookout::tracking {
@@ -29,6 +30,15 @@ std::unique_ptr<Tracker> make_csht(const TrackerParams& params, const core::Sona
                                        csht::make_estimator(estimator.name, estimator, sonar, seed));
 }
 
+std::unique_ptr<Tracker> make_joint(const TrackerParams& params, const core::SonarParams& sonar,
+                                    const csht::EstimatorParams& /*estimator*/, std::uint64_t seed) {
+  JointTrackerParams joint;
+  joint.life.coast_s = params.coast_s;
+  joint.report.report_all = params.report_all;
+  joint.report.min_existence = params.min_existence;
+  return std::make_unique<JointTracker>(joint, sonar, seed);
+}
+
 std::unique_ptr<Tracker> make_kalman(const TrackerParams& params, const core::SonarParams& sonar,
                                      const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
   KalmanParams kalman;
@@ -45,6 +55,7 @@ std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::Sonar
 
 /// One line a tracker.
 constexpr Entry kRegistry[] = {
+    {"joint", &make_joint},
     {"csht", &make_csht},
     {"kalman", &make_kalman},
     {"gnn", &make_gnn},

@@ -1,0 +1,85 @@
+#include "tracking/joint_likelihood.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/tracking/sonar_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+JointCloud one_at(double north, double east) {
+  JointCloud cloud;
+  cloud.resize(1);
+  cloud.north[0] = north;
+  cloud.east[0] = east;
+  cloud.weight[0] = 1.0;
+  return cloud;
+}
+
+double log_ratio(JointLikelihood& likelihood, const JointCloud& cloud, const AgeSpan& ages, int self) {
+  std::vector<double> sum(1, 0.0);
+  likelihood.add(cloud, cloud.moments().mean, ages, self, sum);
+  return sum[0];
+}
+
+// Two scans, each with one echo at 60 m dead ahead, just to starboard of the axis.
+JointLikelihood two_scans() {
+  JointLikelihood likelihood({}, {}, {}, 10, 4);
+  for (int k = 0; k < 2; ++k) likelihood.push(scan_of(k, {{60.0, 0.5}}));
+  return likelihood;
+}
+
+TEST(JointLikelihood, AddsScans) {
+  JointLikelihood likelihood = two_scans();
+  const JointCloud cloud = one_at(60.0, 0.5);
+  const double one = log_ratio(likelihood, cloud, {0, 0}, JointLikelihood::kNobody);
+  EXPECT_GT(one, 3.0);
+  EXPECT_NEAR(log_ratio(likelihood, cloud, {0, 1}, JointLikelihood::kNobody), 2.0 * one, 1e-5);
+}
+
+TEST(JointLikelihood, BehindANearerTargetNothingIsLearnt) {
+  JointLikelihood likelihood = two_scans();
+  likelihood.set_existence(0, 1.0);
+  likelihood.add_claim(0, {0, 45, 60.0F, 1.0F});
+  const JointCloud farther = one_at(90.0, 0.7);
+  EXPECT_NEAR(log_ratio(likelihood, farther, {0, 0}, 1), 0.0, 1e-5);
+  EXPECT_LT(log_ratio(likelihood, farther, {0, 0}, 0), -5.0);  // The owner itself is not masked.
+}
+
+TEST(JointLikelihood, AClaimCountsAsMuchAsItsOwnerExists) {
+  JointLikelihood likelihood = two_scans();
+  likelihood.add_claim(0, {0, 45, 60.0F, 1.0F});
+  likelihood.set_existence(0, 0.7);
+  EXPECT_NEAR(likelihood.explained(0, 45, 61.0), 0.7, 1e-6);
+  EXPECT_EQ(likelihood.explained(0, 45, 80.0), 0.0);
+  EXPECT_NEAR(likelihood.explained(0, 46, 61.0), 0.7, 1e-6);  // Neighbouring beams too.
+  EXPECT_EQ(likelihood.explained(0, 47, 61.0), 0.0);
+  likelihood.set_existence(0, 0.05);
+  EXPECT_EQ(likelihood.mask(0, 1, 45), nullptr);
+}
+
+TEST(JointLikelihood, ForgetsClaims) {
+  JointLikelihood likelihood = two_scans();
+  likelihood.set_existence(2, 1.0);
+  likelihood.add_claim(0, {2, 45, 60.0F, 1.0F});
+  likelihood.add_claim(1, {2, 45, 60.0F, 1.0F});
+  likelihood.forget_claims(2, 0);
+  EXPECT_EQ(likelihood.mask(0, 1, 45), nullptr);
+  EXPECT_NE(likelihood.mask(1, 1, 45), nullptr);
+  likelihood.forget_claims(2);
+  EXPECT_EQ(likelihood.mask(1, 1, 45), nullptr);
+}
+
+TEST(JointLikelihood, ACurvedTrajectoryIsScoredWhereItWas) {
+  JointLikelihood likelihood = two_scans();
+  JointCloud cloud = one_at(60.0, 0.5);
+  cloud.curved = true;
+  cloud.east_acceleration[0] = 400.0;  // 50 m off half a second ago.
+  EXPECT_LT(log_ratio(likelihood, cloud, {1, 1}, 0), 0.0);
+  EXPECT_GT(log_ratio(likelihood, cloud, {0, 0}, 0), 3.0);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

@@ -1,0 +1,261 @@
+#include "tracking/joint_birth.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+namespace lookout::tracking {
+namespace {
+
+// A single line is scored fairly only when neighbouring beams are mixed in proportion to nearness.
+constexpr csht::Tolerance kSeedTolerance{1.0, 0.5};
+constexpr double kExplained = 0.5;        // An echo explained with this probability begins no pair.
+constexpr int kRefineRounds = 2;          // Of least squares over memberships.
+constexpr double kSameSeed = 9.0;         // Squared Mahalanobis distance, 4 degrees of freedom: one peak.
+constexpr double kMembershipGate = 16.0;  // Squared normalised distance beyond which no echo is a member.
+constexpr double kWeakPosition = 1e4;     // Variance of the prior on position [m^2]: keeps the fit solvable.
+constexpr int kTriesPerSeed = 3;          // Pairs that are refined for each seed that is asked for.
+constexpr std::size_t kReserve = 8192;    // Pairs for which memory is kept from the start.
+
+}  // namespace
+
+// An echo at `position` seen `seconds` from the newest scan, its line of sight at `azimuth`.
+void LineFit::add(const Eigen::Vector2d& position, double seconds, double azimuth, double range_variance,
+                  double cross_variance, double membership) {
+  const Eigen::Vector2d along(std::cos(azimuth), std::sin(azimuth));
+  const Eigen::Vector2d across(-along.y(), along.x());
+  const Eigen::Matrix2d inverse = membership * (along * along.transpose() / range_variance +
+                                                across * across.transpose() / cross_variance);
+  information.topLeftCorner<2, 2>() += inverse;
+  information.topRightCorner<2, 2>() += seconds * inverse;
+  information.bottomLeftCorner<2, 2>() += seconds * inverse;
+  information.bottomRightCorner<2, 2>() += seconds * seconds * inverse;
+  const Eigen::Vector2d pull = inverse * position;
+  weighted.head<2>() += pull;
+  weighted.tail<2>() += seconds * pull;
+}
+
+BirthDensity birth_density(const csht::ScanTable& scan, double max_speed, const JointBirthParams& params) {
+  const double sector = std::min(2.0 * std::numbers::pi, scan.num_beams * scan.bearing_step);
+  const double area = 0.5 * sector * scan.max_range * scan.max_range;
+  const double log_volume = std::log(area * std::numbers::pi * max_speed * max_speed);
+  return {std::log(params.expected_targets) - log_volume, std::log(params.interior_rate) - log_volume};
+}
+
+JointBirth::JointBirth(const JointBirthParams& params, double max_speed)
+    : params_(params), max_speed_(max_speed) {
+  pairs_.resize(kReserve);
+  pairs_.resize(0);
+}
+
+std::span<const BirthSeed> JointBirth::propose(JointLikelihood& likelihood) {
+  seeds_.clear();
+  scans_ = &likelihood.scans();
+  density_ = birth_density(scans_->newest(), max_speed_, params_);
+  collect_free_echoes(likelihood);
+  pair_echoes();
+  if (scores_.empty()) return seeds_;
+  int first_look = 0;
+  int window = 0;
+  for (int age = 0; age < scans_->size(); ++age) {
+    const double seconds = -scans_->seconds_at_age(age);
+    if (seconds <= params_.first_look_s) first_look = age;
+    if (seconds <= params_.window_s) window = age;
+  }
+  score(likelihood, first_look, first_look == window);
+  if (window > first_look) {
+    keep_best(static_cast<std::size_t>(params_.first_look_keep));
+    score(likelihood, window, true);
+  }
+  refine_and_merge(likelihood);
+  return seeds_;
+}
+
+void JointBirth::collect_free_echoes(const JointLikelihood& likelihood) {
+  newest_.clear();
+  older_.clear();
+  for (int age = 0; age < scans_->size(); ++age) {
+    if (-scans_->seconds_at_age(age) > params_.max_lag_s) break;
+    if (age > 0 && age < params_.min_lag_scans) continue;
+    const auto& echoes = scans_->at_age(age).detections;
+    for (std::size_t i = 0; i < echoes.size(); ++i) {
+      if (explained(likelihood, age, i)) continue;
+      (age == 0 ? newest_ : older_).push_back({echoes[i].p_earth, age});
+    }
+  }
+}
+
+bool JointBirth::explained(const JointLikelihood& likelihood, int age, std::size_t echo) const {
+  const csht::ScanTable& scan = scans_->at_age(age);
+  const bool point = scan.clutter == csht::ClutterModel::point;
+  const core::Detection& detection = scan.detections[echo];
+  return likelihood.explained(age, point ? static_cast<int>(echo) : detection.beam, detection.range) >=
+         kExplained;
+}
+
+void JointBirth::pair_echoes() {
+  pairs_.resize(0);
+  scores_.clear();
+  const double sigma = scans_->figures().range_sigma;
+  for (const Echo& older : older_) {
+    const double seconds = -scans_->seconds_at_age(older.age);
+    const double reach = max_speed_ * seconds + 2.0 * std::numbers::sqrt2 * sigma;
+    for (const Echo& newest : newest_)
+      if ((newest.position - older.position).squaredNorm() <= reach * reach) add_pair(newest, older, seconds);
+  }
+  sum_.assign(scores_.size(), 0.0);
+  scored_to_ = -1;
+}
+
+// The most probable line through both echoes for a velocity prior of the speed limit's spread: two echoes
+// close in time say little of the velocity.
+void JointBirth::add_pair(const Echo& newest, const Echo& older, double seconds) {
+  const double sigma = scans_->figures().range_sigma;
+  const double prior_variance = 0.25 * max_speed_ * max_speed_;
+  const double shrink = prior_variance / (prior_variance + 2.0 * sigma * sigma / (seconds * seconds));
+  const Eigen::Vector2d velocity = shrink / seconds * (newest.position - older.position);
+  const Eigen::Vector2d position = 0.5 * (newest.position + older.position + seconds * velocity);
+  pairs_.north.push_back(position.x());
+  pairs_.east.push_back(position.y());
+  pairs_.north_velocity.push_back(velocity.x());
+  pairs_.east_velocity.push_back(velocity.y());
+  scores_.push_back({-std::numeric_limits<double>::infinity(), 0, false});
+}
+
+// Runs all pairs backwards to the scan of age `oldest`, from where the last call ended.
+void JointBirth::score(JointLikelihood& likelihood, int oldest, bool final) {
+  step_.resize(scores_.size());
+  for (int age = scored_to_ + 1; age <= oldest; ++age) {
+    std::fill(step_.begin(), step_.end(), 0.0);
+    csht::add_log_ratio(scans_->at_age(age), likelihood.mask(age, JointLikelihood::kNobody, -1),
+                        pairs_.span(), scans_->seconds_at_age(age), kSeedTolerance, step_);
+    for (std::size_t i = 0; i < scores_.size(); ++i) {
+      sum_[i] += step_[i];
+      const double interior = sum_[i] + density_.log_interior;
+      if (interior > scores_[i].best) scores_[i] = {interior, age, false};
+    }
+  }
+  scored_to_ = oldest;
+  for (std::size_t i = 0; final && i < scores_.size(); ++i) {
+    const double standing = sum_[i] + density_.log_standing;
+    if (standing > scores_[i].best) scores_[i] = {standing, oldest, true};
+  }
+}
+
+void JointBirth::keep_best(std::size_t count) {
+  order_.resize(scores_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  if (order_.size() > count) {
+    const auto value = [this](std::size_t i) {
+      return std::max(scores_[i].best, sum_[i] + density_.log_standing);
+    };
+    std::nth_element(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count), order_.end(),
+                     [&value](std::size_t a, std::size_t b) { return value(a) > value(b); });
+    order_.resize(count);
+    std::sort(order_.begin(), order_.end());
+  }
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const std::size_t i = order_[k];
+    pairs_.north[k] = pairs_.north[i];
+    pairs_.east[k] = pairs_.east[i];
+    pairs_.north_velocity[k] = pairs_.north_velocity[i];
+    pairs_.east_velocity[k] = pairs_.east_velocity[i];
+    scores_[k] = scores_[i];
+    sum_[k] = sum_[i];
+  }
+  pairs_.resize(order_.size());
+  scores_.resize(order_.size());
+  sum_.resize(order_.size());
+}
+
+void JointBirth::refine_and_merge(const JointLikelihood& likelihood) {
+  order_.resize(scores_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::sort(order_.begin(), order_.end(),
+            [this](std::size_t a, std::size_t b) { return scores_[a].best > scores_[b].best; });
+  int tried = 0;
+  for (const std::size_t i : order_) {
+    if (static_cast<int>(seeds_.size()) >= params_.seeds || tried >= kTriesPerSeed * params_.seeds) break;
+    BirthSeed seed;
+    ++tried;
+    if (refine(likelihood, i, seed) && !merged(seed)) seeds_.push_back(seed);
+  }
+}
+
+bool JointBirth::merged(const BirthSeed& seed) {
+  for (const BirthSeed& other : seeds_) {
+    const Eigen::Vector4d offset = seed.guess.mean.head<4>() - other.guess.mean.head<4>();
+    const Eigen::Matrix4d covariance =
+        other.guess.covariance.topLeftCorner<4, 4>() + seed.guess.covariance.topLeftCorner<4, 4>();
+    if (offset.dot(covariance.llt().solve(offset)) < kSameSeed) return true;
+  }
+  return false;
+}
+
+// Least squares over the echoes of the window, each weighted with its membership: the share of its likelihood
+// that the line explains. [Yan2018] III.B done on joint hypotheses: the noise class is the rest.
+bool JointBirth::refine(const JointLikelihood& likelihood, std::size_t index, BirthSeed& seed) const {
+  Eigen::Vector4d state(pairs_.north[index], pairs_.east[index], pairs_.north_velocity[index],
+                        pairs_.east_velocity[index]);
+  const double prior_variance = 0.25 * max_speed_ * max_speed_;
+  Eigen::Matrix4d covariance;
+  for (int round = 0; round < kRefineRounds; ++round) {
+    LineFit fit;
+    fit.information.bottomRightCorner<2, 2>() += Eigen::Matrix2d::Identity() / prior_variance;
+    fit.information.topLeftCorner<2, 2>() += Eigen::Matrix2d::Identity() / kWeakPosition;
+    fit.weighted.head<2>() += state.head<2>() / kWeakPosition;
+    for (int age = 0; age <= scores_[index].oldest; ++age) add_members(likelihood, age, state, fit);
+    const Eigen::LLT<Eigen::Matrix4d> solver(fit.information);
+    if (solver.info() != Eigen::Success) return false;
+    state = solver.solve(fit.weighted);
+    covariance = solver.solve(Eigen::Matrix4d::Identity());
+  }
+  seed.guess.mean.head<4>() = state;
+  seed.guess.covariance.topLeftCorner<4, 4>() = covariance;
+  seed.ages = {0, scores_[index].oldest};
+  seed.log_density = scores_[index].standing ? density_.log_standing : density_.log_interior;
+  seed.log_odds =
+      scores_[index].best + 0.5 * std::log(covariance.determinant()) + 2.0 * std::log(2.0 * std::numbers::pi);
+  return true;
+}
+
+// Adds the echoes of one scan near the line to the fit.
+void JointBirth::add_members(const JointLikelihood& likelihood, int age, const Eigen::Vector4d& state,
+                             LineFit& fit) const {
+  const csht::ScanTable& scan = scans_->at_age(age);
+  const csht::SensorFigures& figures = scans_->figures();
+  const double seconds = scans_->seconds_at_age(age);
+  const Eigen::Vector2d at = state.head<2>() + seconds * state.tail<2>();
+  const double dn = at.x() - scan.T_earth_sonar.north, de = at.y() - scan.T_earth_sonar.east;
+  const double range = std::hypot(dn, de);
+  const double azimuth = std::atan2(de, dn);
+  const auto add = [&](int claim_index, double echo_range, double echo_azimuth) {
+    const double dr = (echo_range - range) / figures.range_sigma;
+    const double db = core::wrap_to_pi(echo_azimuth - azimuth) / figures.bearing_sigma;
+    const double square = dr * dr + db * db;
+    if (square > kMembershipGate || likelihood.explained(age, claim_index, echo_range) >= kExplained) return;
+    const double own = static_cast<double>(scan.gain) * std::exp(-0.5 * square);
+    const double cross = echo_range * figures.bearing_sigma;
+    fit.add({scan.T_earth_sonar.north + echo_range * std::cos(echo_azimuth),
+             scan.T_earth_sonar.east + echo_range * std::sin(echo_azimuth)},
+            seconds, echo_azimuth, figures.range_sigma * figures.range_sigma, cross * cross,
+            own / (1.0 + own));
+  };
+  if (scan.clutter == csht::ClutterModel::point) {
+    for (std::size_t i = 0; i < scan.detections.size(); ++i)
+      add(static_cast<int>(i), scan.detections[i].range, scan.detections[i].azimuth);
+    return;
+  }
+  const int beam = beam_at(scan, at.x(), at.y());
+  const double first_azimuth = scan.axis - 0.5 * (scan.num_beams - 1) * scan.bearing_step;
+  for (int b = std::max(0, beam - 1); b <= std::min(scan.num_beams - 1, beam + 1); ++b) {
+    const float echo = scan.range[static_cast<std::size_t>(b) + 1];
+    if (echo > 0.0F) add(b, static_cast<double>(echo), first_azimuth + b * scan.bearing_step);
+  }
+}
+
+}  // namespace lookout::tracking

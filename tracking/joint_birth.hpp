@@ -1,0 +1,84 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "tracking/joint_likelihood.hpp"
+#include "tracking/joint_params.hpp"
+
+namespace lookout::tracking {
+
+/// A trajectory that may be a target's, worth the computing of its evidence.
+struct BirthSeed {
+  CloudMoments guess;        ///< At the newest scan; accelerations zero.
+  AgeSpan ages;              ///< Scans since it is thought to be there.
+  double log_density = 0.0;  ///< ln of the prior density of such targets [1/(m^2 (m/s)^2)].
+  double log_odds = 0.0;     ///< Of existence, by Laplace's method around the guess.
+};
+
+/// How targets are spread before anything is seen: their densities over position and velocity.
+struct BirthDensity {
+  double log_standing = 0.0;  ///< ln of those that have been there all along, or entered over the border.
+  double log_interior = 0.0;  ///< ln of those that appear inside at one scan.
+};
+BirthDensity birth_density(const csht::ScanTable& scan, double max_speed, const JointBirthParams& params);
+
+/// Weighted least squares for a straight line: state (position, velocity) at the newest scan.
+struct LineFit {
+  Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
+  Eigen::Vector4d weighted = Eigen::Vector4d::Zero();
+
+  /// An echo at `position` seen `seconds` from the newest scan, its line of sight at `azimuth`.
+  void add(const Eigen::Vector2d& position, double seconds, double azimuth, double range_variance,
+           double cross_variance, double membership);
+};
+
+/// Finds seeds: pairs of echoes that no track explains, the newest scan's with an older one's, each an exact
+/// vote for one trajectory (a sparse Hough vote over north, east and both velocities). Scored backwards under
+/// the softened likelihood; the best stretch is its window; refined by least squares over memberships.
+/// csht_limits, ideas 2 and 3.
+class JointBirth {
+ public:
+  JointBirth(const JointBirthParams& params, double max_speed);
+
+  /// Seeds of the newest scan, most probable first. @param likelihood with the claims of all tracks.
+  std::span<const BirthSeed> propose(JointLikelihood& likelihood);
+
+ private:
+  struct Echo {
+    Eigen::Vector2d position;
+    int age = 0;
+  };
+  struct Score {
+    double best = 0.0;  ///< Best log prior plus log-likelihood ratio over windows.
+    int oldest = 0;     ///< Age at which that window begins.
+    bool standing = false;
+  };
+
+  void collect_free_echoes(const JointLikelihood& likelihood);
+  void pair_echoes();
+  void add_pair(const Echo& newest, const Echo& older, double seconds);
+  void score(JointLikelihood& likelihood, int oldest, bool final);
+  void keep_best(std::size_t count);
+  void refine_and_merge(const JointLikelihood& likelihood);
+  bool explained(const JointLikelihood& likelihood, int age, std::size_t echo) const;
+  bool refine(const JointLikelihood& likelihood, std::size_t index, BirthSeed& seed) const;
+  void add_members(const JointLikelihood& likelihood, int age, const Eigen::Vector4d& state,
+                   LineFit& fit) const;
+  bool merged(const BirthSeed& seed);
+
+  JointBirthParams params_;
+  double max_speed_;
+  const csht::ScanHistory* scans_ = nullptr;  ///< Of the call to `propose` that runs.
+  BirthDensity density_;
+  std::vector<Echo> newest_, older_;
+  JointCloud pairs_;
+  std::vector<Score> scores_;
+  std::vector<double> sum_, step_;
+  int scored_to_ = -1;  ///< Age of the oldest scan in `sum_`.
+  std::vector<std::size_t> order_;
+  std::vector<BirthSeed> seeds_;
+};
+
+}  // namespace lookout::tracking

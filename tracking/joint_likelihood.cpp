@@ -1,0 +1,135 @@
+#include "tracking/joint_likelihood.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstdlib>
+
+#include "csht/fast_math.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+constexpr double kCompatibleSigmas = 2.5;    // An echo this near to a track's range is explained by it.
+constexpr std::size_t kClaimsReserved = 64;  // Of one scan; more are taken, at the price of an allocation.
+
+}  // namespace
+
+int beam_at(const csht::ScanTable& scan, double north, double east) {
+  const auto dn = static_cast<float>(north - scan.T_earth_sonar.north);
+  const auto de = static_cast<float>(east - scan.T_earth_sonar.east);
+  const auto cos_axis = static_cast<float>(scan.cos_axis);
+  const auto sin_axis = static_cast<float>(scan.sin_axis);
+  const float bearing = csht::fast_atan2(cos_axis * de - sin_axis * dn, cos_axis * dn + sin_axis * de);
+  return static_cast<int>(
+      std::floor(static_cast<double>(bearing) / scan.bearing_step + 0.5 * scan.num_beams));
+}
+
+Eigen::Vector2d position_at(const CloudMoments::Vector6& mean, double seconds) {
+  return mean.head<2>() + seconds * mean.segment<2>(2) + 0.5 * seconds * seconds * mean.tail<2>();
+}
+
+JointLikelihood::JointLikelihood(const csht::SensorFigures& figures, const csht::SensorModelParams& model,
+                                 const csht::Tolerance& tolerance, int capacity, int max_owners)
+    : tolerance_(tolerance), scans_(figures, model, capacity), claims_(static_cast<std::size_t>(capacity)) {
+  for (auto& claims : claims_) claims.reserve(kClaimsReserved);
+  existence_.assign(static_cast<std::size_t>(max_owners), 0.0);
+}
+
+void JointLikelihood::push(const core::PosedScan& scan) {
+  scans_.push(scan);
+  claims_at(0).clear();
+}
+
+std::size_t JointLikelihood::ring_index(int age) const {
+  assert(age >= 0 && age < scans_.size());
+  return static_cast<std::size_t>((scans_.pushed() - 1 - age) % scans_.capacity());
+}
+
+std::vector<Claim>& JointLikelihood::claims_at(int age) {
+  return claims_[ring_index(age)];
+}
+const std::vector<Claim>& JointLikelihood::claims_at(int age) const {
+  return claims_[ring_index(age)];
+}
+
+void JointLikelihood::set_existence(int owner, double existence) {
+  existence_[static_cast<std::size_t>(owner)] = existence;
+}
+
+void JointLikelihood::add_claim(int age, const Claim& claim) {
+  claims_at(age).push_back(claim);
+}
+
+void JointLikelihood::forget_claims(int owner) {
+  for (auto& claims : claims_) std::erase_if(claims, [owner](const Claim& c) { return c.owner == owner; });
+}
+
+void JointLikelihood::forget_claims(int owner, int age) {
+  std::erase_if(claims_at(age), [owner](const Claim& c) { return c.owner == owner; });
+}
+
+const csht::BeamMask* JointLikelihood::mask(int age, int self, int beam) {
+  const csht::ScanTable& scan = scans_.at_age(age);
+  const bool points = scan.clutter == csht::ClutterModel::point;
+  bool any = false;
+  for (const Claim& claim : claims_at(age)) {
+    const double existence = existence_[static_cast<std::size_t>(claim.owner)];
+    if (claim.owner == self || existence < kLeastExistence) continue;
+    if (!points && beam >= 0 && std::abs(claim.index - beam) > kNeighbourhood) continue;
+    if (!any) mask_.clear(scan);
+    any = true;
+    const double share = existence * static_cast<double>(claim.share);
+    if (points)
+      csht::claim_detection(static_cast<std::size_t>(claim.index), share, mask_);
+    else
+      csht::claim_beam(scan, claim.index, static_cast<double>(claim.range), share, mask_);
+  }
+  return any ? &mask_ : nullptr;
+}
+
+double JointLikelihood::explained(int age, int index, double range) const {
+  const csht::ScanTable& scan = scans_.at_age(age);
+  const bool points = scan.clutter == csht::ClutterModel::point;
+  const double gate = kCompatibleSigmas / static_cast<double>(scan.inverse_sigma);
+  double sum = 0.0;
+  for (const Claim& claim : claims_at(age)) {
+    const bool same = points ? claim.index == index
+                             : std::abs(claim.index - index) <= 1 &&
+                                   std::abs(static_cast<double>(claim.range) - range) <= gate;
+    if (same) sum += existence_[static_cast<std::size_t>(claim.owner)] * static_cast<double>(claim.share);
+  }
+  return std::min(sum, 1.0);
+}
+
+void JointLikelihood::add(const JointCloud& cloud, const CloudMoments::Vector6& mean, const AgeSpan& ages,
+                          int self, std::span<double> log_ratio) {
+  for (int age = ages.newest; age <= ages.oldest; ++age) {
+    const csht::BeamMask* others = nullptr;
+    if (!claims_at(age).empty()) {
+      const Eigen::Vector2d at = position_at(mean, scans_.seconds_at_age(age));
+      others = mask(age, self, std::max(0, beam_at(scans_.at_age(age), at.x(), at.y())));
+    }
+    add_scan(cloud, age, others, log_ratio);
+  }
+}
+
+void JointLikelihood::add_scan(const JointCloud& cloud, int age, const csht::BeamMask* mask,
+                               std::span<double> log_ratio) {
+  const double seconds = scans_.seconds_at_age(age);
+  if (!cloud.curved) {
+    csht::add_log_ratio(scans_.at_age(age), mask, cloud.span(), seconds, tolerance_, log_ratio);
+    return;
+  }
+  moved_.resize(cloud.size());
+  const double half_square = 0.5 * seconds * seconds;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    moved_.north[i] =
+        cloud.north[i] + seconds * cloud.north_velocity[i] + half_square * cloud.north_acceleration[i];
+    moved_.east[i] =
+        cloud.east[i] + seconds * cloud.east_velocity[i] + half_square * cloud.east_acceleration[i];
+  }
+  csht::add_log_ratio(scans_.at_age(age), mask, moved_.span(), 0.0, tolerance_, log_ratio);
+}
+
+}  // namespace lookout::tracking

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/sonar_scan.hpp"
+#include "csht/beam_mask.hpp"
+#include "csht/scan_history.hpp"
+#include "tracking/joint_cloud.hpp"
+
+namespace lookout::tracking {
+
+/// What one track takes of one scan: a beam that it is in (with its range there), or a detection of a point
+/// sensor.
+struct Claim {
+  int owner = 0;       ///< Slot of the track.
+  int index = 0;       ///< Beam, or index of the detection.
+  float range = 0.0F;  ///< Of the track in that beam [m].
+  float share = 0.0F;  ///< Probability, were the track real.
+};
+
+/// Ages of scans, both included; 0 is the newest.
+struct AgeSpan {
+  int newest = 0;
+  int oldest = 0;
+};
+
+/// The likelihood of trajectories over the latest scans, with what other tracks explain left out: in a beam
+/// shared with a nearer target, the farther one learns nothing. csht_limits, ideas 1 and 6.
+class JointLikelihood {
+ public:
+  static constexpr int kNobody = -1;
+
+  /// @param capacity scans kept, >= 1.
+  /// @param max_owners slots that may claim.
+  JointLikelihood(const csht::SensorFigures& figures, const csht::SensorModelParams& model,
+                  const csht::Tolerance& tolerance, int capacity, int max_owners);
+
+  void push(const core::PosedScan& scan);
+  const csht::ScanHistory& scans() const { return scans_; }
+  void set_figures(const csht::SensorFigures& figures) { scans_.set_figures(figures); }
+
+  /// How sure the owner of a slot is to exist; its claims count by that much. Below `kLeastExistence` they
+  /// do not count.
+  void set_existence(int owner, double existence);
+  static constexpr double kLeastExistence = 0.1;
+
+  void add_claim(int age, const Claim& claim);
+  void forget_claims(int owner);
+  void forget_claims(int owner, int age);
+
+  /// Adds to `log_ratio[i]` what the scans of these ages say of trajectory i, the claims of all but `self`
+  /// left out.
+  /// @param mean of the trajectories, near which claims matter.
+  void add(const JointCloud& cloud, const CloudMoments::Vector6& mean, const AgeSpan& ages, int self,
+           std::span<double> log_ratio);
+
+  /// The claims of all but `self` on the scan of this age as a mask; null where nothing is claimed. Valid
+  /// until the next call. @param beam only claims within `kNeighbourhood` beams of it; negative: all.
+  const csht::BeamMask* mask(int age, int self, int beam);
+  static constexpr int kNeighbourhood = 10;
+
+  /// Probability that a track made an echo of that scan, judged by the claims on its beam and both neighbours
+  /// and by its range. @param index beam, or index of the detection of a point sensor.
+  double explained(int age, int index, double range) const;
+
+ private:
+  std::vector<Claim>& claims_at(int age);
+  const std::vector<Claim>& claims_at(int age) const;
+  std::size_t ring_index(int age) const;
+  void add_scan(const JointCloud& cloud, int age, const csht::BeamMask* mask, std::span<double> log_ratio);
+
+  csht::Tolerance tolerance_;
+  csht::ScanHistory scans_;
+  std::vector<std::vector<Claim>> claims_;
+  std::vector<double> existence_;
+  csht::BeamMask mask_;
+  JointCloud moved_;
+};
+
+/// The beam in which the scan has an earth-frame position; out of 0 .. num_beams - 1 outside the sector.
+int beam_at(const csht::ScanTable& scan, double north, double east);
+
+/// Position on a trajectory of this mean at `seconds` from its time.
+Eigen::Vector2d position_at(const CloudMoments::Vector6& mean, double seconds);
+
+}  // namespace lookout::tracking

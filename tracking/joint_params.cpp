@@ -1,0 +1,66 @@
+#include <stdexcept>
+#include <string>
+
+#include "tracking/joint_params.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+void require(bool holds, const char* what, double value) {
+  if (!holds) throw std::invalid_argument(std::string(what) + ", got " + std::to_string(value));
+}
+
+void validate(const JointCloudParams& p) {
+  require(p.trajectories >= 32 && p.trajectories <= 4096, "trajectories must be in [32, 4096]",
+          p.trajectories);
+  require(p.memory_s > 0.0, "memory_s must be > 0", p.memory_s);
+  require(p.refresh_share > 0.0 && p.refresh_share < 1.0, "refresh_share must be in (0, 1)", p.refresh_share);
+  require(p.refresh_goal > p.refresh_share && p.refresh_goal < 1.0,
+          "refresh_goal must be in (refresh_share, 1)", p.refresh_goal);
+  require(p.refresh_rounds >= 1, "refresh_rounds must be >= 1", p.refresh_rounds);
+  require(p.proposal_scale >= 1.0, "proposal_scale must be >= 1", p.proposal_scale);
+  require(p.tail_freedom > 2.0, "tail_freedom must be > 2", p.tail_freedom);
+}
+
+void validate(const JointBirthParams& p) {
+  require(p.expected_targets > 0.0, "expected_targets must be > 0", p.expected_targets);
+  require(p.interior_rate > 0.0, "interior_rate must be > 0", p.interior_rate);
+  require(p.window_s > 0.0, "window_s must be > 0", p.window_s);
+  require(p.min_lag_scans >= 1, "min_lag_scans must be >= 1", p.min_lag_scans);
+  require(p.max_lag_s > 0.0, "max_lag_s must be > 0", p.max_lag_s);
+  require(p.first_look_s > 0.0, "first_look_s must be > 0", p.first_look_s);
+  require(p.first_look_keep >= 1, "first_look_keep must be >= 1", p.first_look_keep);
+  require(p.seeds >= 1, "seeds must be >= 1", p.seeds);
+  require(p.samples >= 16, "samples must be >= 16", p.samples);
+  require(p.rounds >= 1, "rounds must be >= 1", p.rounds);
+  require(p.hopeless > 0.0, "hopeless must be > 0", p.hopeless);
+}
+
+void validate(const JointLifeParams& p) {
+  require(p.tentative_log_odds < 0.0, "tentative_log_odds must be < 0", p.tentative_log_odds);
+  require(p.end_log_odds < 0.0, "end_log_odds must be < 0", p.end_log_odds);
+  require(p.mean_life_s > 0.0, "mean_life_s must be > 0", p.mean_life_s);
+  require(p.coast_s >= 0.0, "coast_s must be >= 0", p.coast_s);
+  require(p.max_tracks >= 1, "max_tracks must be >= 1", p.max_tracks);
+  require(p.twin_distance >= 0.0, "twin_distance must be >= 0", p.twin_distance);
+  require(p.twin_speed >= 0.0, "twin_speed must be >= 0", p.twin_speed);
+}
+
+void validate(const JointReportParams& p) {
+  require(p.min_existence >= 0.0 && p.min_existence <= 1.0, "min_existence must be in [0, 1]",
+          p.min_existence);
+  require(p.cutoff > 0.0, "cutoff must be > 0", p.cutoff);
+  require(p.samples >= 1, "samples must be >= 1", p.samples);
+}
+
+}  // namespace
+
+void validate(const JointTrackerParams& params) {
+  csht::validate(params.sensor);
+  validate(params.cloud);
+  validate(params.birth);
+  validate(params.life);
+  validate(params.report);
+}
+
+}  // namespace lookout::tracking

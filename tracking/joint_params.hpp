@@ -1,0 +1,67 @@
+#pragma once
+
+#include "csht/sensor_likelihood.hpp"
+#include "csht/sensor_model.hpp"
+
+namespace lookout::tracking {
+
+/// The density of one track: weighted trajectories, scored under the exact likelihood of the scans.
+struct JointCloudParams {
+  int trajectories = 256;  ///< In a cloud, 32 to 4096.
+  double memory_s = 60.0;  ///< Scans older than this are forgotten [s], > 0. csht_limits, idea 4.
+  double refresh_share =
+      0.25;                   ///< Drawn afresh when the effective share of the cloud falls below, in (0, 1).
+  double refresh_goal = 0.4;  ///< Effective share at which a refresh is content, in (refresh_share, 1).
+  int refresh_rounds = 3;     ///< Most rounds of adaptive importance sampling a refresh, >= 1.
+  double proposal_scale = 1.1;  ///< Standard deviations of the proposal over those of the cloud, >= 1.
+  double tail_freedom = 6.0;    ///< Degrees of freedom of the proposal's t distribution, > 2.
+};
+
+/// Births: pairs of echoes that no track explains, scored backwards.
+struct JointBirthParams {
+  double expected_targets = 2.0;  ///< In the field of view at any time, > 0; the prior density of births.
+  double interior_rate = 0.001;   ///< Targets that appear inside the field of view, per scan, > 0.
+  double window_s = 20.0;         ///< Longest stretch that a new target is scored over [s], > 0.
+  int min_lag_scans = 2;          ///< Between the two echoes of a pair, >= 1.
+  double max_lag_s = 10.0;        ///< Between the two echoes of a pair [s], > 0.
+  double first_look_s = 6.0;  ///< Stretch over which all pairs are scored before most are dropped [s], > 0.
+  int first_look_keep = 192;  ///< Pairs that are scored over the whole window, >= 1.
+  int seeds = 24;             ///< Distinct pairs whose evidence is computed, >= 1.
+  int samples = 128;          ///< Trajectories drawn for the first estimate of the evidence, >= 16.
+  int rounds = 3;             ///< Rounds of adaptive importance sampling, >= 1.
+  double hopeless =
+      6.0;  ///< A seed this many nats short of a tentative track in its first round is dropped, > 0.
+};
+
+/// When tracks begin, are confirmed and end.
+struct JointLifeParams {
+  double tentative_log_odds = -7.0;  ///< Existence from which a track is kept. csht_limits.
+  double end_log_odds = -3.0;        ///< Existence below which a track that was confirmed ends.
+  double mean_life_s = 500.0;        ///< Mean time after which a target vanishes in view [s], > 0.
+  double coast_s = 10.0;             ///< How long a track is kept outside the field of view [s], >= 0.
+  int max_tracks = 512;              ///< Tracks of any status, >= 1; the least probable give way.
+  double twin_distance = 4.0;        ///< Two tracks nearer than this [m] ...
+  double twin_speed = 0.5;           ///< ... and in velocity [m/s] are one target's.
+};
+
+/// What is reported.
+struct JointReportParams {
+  bool report_all = false;  ///< Every track above `min_existence` rather than the set of least expected OSPA.
+  double min_existence = 0.5;  ///< For report_all, in [0, 1].
+  double cutoff = 20.0;        ///< Of the OSPA that is minimised [m], > 0.
+  int samples = 128;           ///< Target sets drawn to estimate it, >= 1.
+};
+
+struct JointTrackerParams {
+  csht::SensorModelParams sensor;
+  csht::Tolerance tolerance;  ///< Of tracks and of evidence; see there.
+  JointCloudParams cloud;
+  JointBirthParams birth;
+  JointLifeParams life;
+  JointReportParams report;
+};
+
+/// @throws std::invalid_argument showing the value that is out of range.
+void validate(const JointTrackerParams& params);
+
+}  // namespace lookout::tracking

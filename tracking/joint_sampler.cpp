@@ -1,0 +1,119 @@
+#include "tracking/joint_sampler.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <numbers>
+
+namespace lookout::tracking {
+namespace {
+
+constexpr std::size_t kPoolSize = 4096;
+constexpr double kTemperedShare = 0.1;        // Effective share of a cloud whose moments are trusted.
+constexpr double kTemperingStep = 0.8;        // Factor on the logarithms of the weights.
+constexpr double kLeastExponent = 0.005;      // Of tempered weights.
+constexpr double kSpeedEdge = 0.2;            // Beyond the limit the prior falls off with this sigma [m/s].
+constexpr double kPositionFloor = 0.05;       // Least standard deviations that are proposed: [m],
+constexpr double kVelocityFloor = 0.01;       // [m/s] and
+constexpr double kAccelerationFloor = 0.005;  // [m/s^2].
+constexpr double kAccelerationPrior = 0.2;    // Of each component of a manoeuvre [m/s^2].
+
+CloudMoments::Matrix6 floored(const CloudMoments::Matrix6& covariance) {
+  CloudMoments::Matrix6 result = covariance;
+  constexpr double kFloor[] = {kPositionFloor, kPositionFloor,     kVelocityFloor,
+                               kVelocityFloor, kAccelerationFloor, kAccelerationFloor};
+  for (int i = 0; i < 6; ++i) result(i, i) += kFloor[i] * kFloor[i];
+  return result;
+}
+
+}  // namespace
+
+JointSampler::JointSampler(const JointCloudParams& params, double max_speed, core::Random& random)
+    : params_(params), max_speed_(max_speed), pool_(params.tail_freedom, kPoolSize, random) {}
+
+double JointSampler::log_prior(double speed, double acceleration, bool curved) const {
+  const double excess = std::max(0.0, speed - max_speed_) / kSpeedEdge;
+  double value = -0.5 * excess * excess;
+  if (curved) {
+    const double a = acceleration / kAccelerationPrior;
+    value -= 0.5 * a * a + std::log(2.0 * std::numbers::pi * kAccelerationPrior * kAccelerationPrior);
+  }
+  return value;
+}
+
+// Fills the cloud around `around` and log_weight_ with minus the log density of the proposal.
+void JointSampler::draw(const CloudMoments& around, std::size_t start, JointCloud& cloud) {
+  const int d = cloud.dimensions();
+  const CloudMoments::Matrix6 scaled =
+      floored(around.covariance) *
+      (params_.proposal_scale * params_.proposal_scale * (params_.tail_freedom - 2.0) / params_.tail_freedom);
+  Eigen::Matrix<double, 6, 6> root = Eigen::Matrix<double, 6, 6>::Zero();
+  double log_determinant = 0.0;
+  if (d == 4) {
+    root.topLeftCorner<4, 4>() = scaled.topLeftCorner<4, 4>().llt().matrixL();
+  } else {
+    root = scaled.llt().matrixL();
+  }
+  for (int k = 0; k < d; ++k) log_determinant += std::log(root(k, k));
+  double* component[] = {cloud.north.data(),
+                         cloud.east.data(),
+                         cloud.north_velocity.data(),
+                         cloud.east_velocity.data(),
+                         cloud.north_acceleration.data(),
+                         cloud.east_acceleration.data()};
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const ProposalPool::Draw& draw = pool_.at(start, i);
+    for (int k = 0; k < d; ++k) {
+      double value = around.mean[k];
+      for (int l = 0; l <= k; ++l) value += root(k, l) * draw.z[static_cast<std::size_t>(l)];
+      component[k][i] = value;
+    }
+    for (int k = d; k < 6; ++k) component[k][i] = 0.0;
+    log_weight_[i] = log_determinant - (d == 4 ? draw.log_density4 : draw.log_density6);
+  }
+}
+
+void JointSampler::add_prior(const JointCloud& cloud) {
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    log_weight_[i] +=
+        log_prior(std::hypot(cloud.north_velocity[i], cloud.east_velocity[i]),
+                  std::hypot(cloud.north_acceleration[i], cloud.east_acceleration[i]), cloud.curved);
+}
+
+// The moments of the cloud; where a few trajectories carry it, of its weights tempered (their logarithms
+// halved) until enough do: a guess that is too wide converges, one that is too narrow never does. [Neal2001]
+// Sec. 2.
+CloudMoments JointSampler::next_guess(JointCloud& cloud) {
+  const double enough = kTemperedShare * static_cast<double>(cloud.size());
+  double exponent = 1.0;
+  while (cloud.effective_size() < enough && exponent > kLeastExponent) {
+    exponent *= kTemperingStep;
+    for (double& log_weight : log_weight_) log_weight *= kTemperingStep;
+    normalise_log_weights(log_weight_, cloud.weight);
+  }
+  return cloud.moments();
+}
+
+SamplingResult JointSampler::sample(const SamplingTask& task, JointLikelihood& likelihood,
+                                    core::Random& random, JointCloud& cloud) {
+  const auto size = static_cast<std::size_t>(task.samples);
+  cloud.curved = task.curved;
+  cloud.resize(size);
+  log_weight_.resize(size);
+  CloudMoments around = task.guess;
+  SamplingResult result;
+  for (int round = 0; round < task.rounds; ++round) {
+    draw(around, random(), cloud);
+    add_prior(cloud);
+    likelihood.add(cloud, around.mean, task.ages, task.self, log_weight_);
+    result.log_evidence =
+        normalise_log_weights(log_weight_, cloud.weight) - std::log(static_cast<double>(size));
+    result.effective_share = cloud.effective_size() / static_cast<double>(size);
+    if (round + 1 == task.rounds || result.effective_share > params_.refresh_goal ||
+        result.log_evidence < task.give_up_below)
+      break;
+    around = next_guess(cloud);
+  }
+  return result;
+}
+
+}  // namespace lookout::tracking
