@@ -32,6 +32,7 @@ TargetPlan read_target(const YamlMap& map) {
   target.velocity = read_vector(map, "north_velocity", "east_velocity");
   target.turn_rate = core::radians(map.number("turn_rate_deg", 0.0, {-90, 90}));
   target.acceleration = map.number("acceleration", 0.0, {-10, 10});
+  target.snr_db = map.optional_number("snr_db", {-40, 80});
   target.appear = map.number("appear", target.appear);
   target.disappear = map.number("disappear", target.disappear);
   if (target.disappear <= target.appear) map.fail("disappear", "must be after appear");
@@ -66,6 +67,8 @@ VehiclePlan read_vehicle(const YamlMap& map) {
   vehicle.heading = read_heading(map);
   vehicle.turn_rate =
       core::radians(map.number("turn_rate_deg", core::degrees(vehicle.turn_rate), {0, 180, true}));
+  vehicle.yaw_swing = core::radians(map.number("yaw_swing_deg", 0.0, {0, 90}));
+  vehicle.yaw_period = map.number("yaw_period", vehicle.yaw_period, kPositive);
   for (const auto& waypoint : map.maps("waypoints")) vehicle.waypoints.push_back(read_waypoint(waypoint));
   if (!vehicle.waypoints.empty() && (map.has("north_velocity") || map.has("east_velocity")))
     map.fail("waypoints", "excludes a velocity: the speed stands at each waypoint");
@@ -90,18 +93,38 @@ SonarPlan read_sonar(const YamlMap& map) {
   return sonar;
 }
 
+ImagePlan read_image(const YamlMap& map) {
+  ImagePlan image;
+  image.num_bins = map.integer("num_bins", image.num_bins, {1, 30000});
+  image.range_step = map.number("range_step", image.range_step, kPositive);
+  image.first_range = map.number("first_range", 0.5 * image.range_step, kPositive);
+  image.beam_null = core::radians(map.number("beam_null_deg", core::degrees(image.beam_null), kPositive));
+  image.pulse_sigma = map.number("pulse_sigma", image.pulse_sigma, kPositive);
+  const std::string background = map.choice("background", "k", {"k", "rayleigh"});
+  image.shape = map.number("shape", *image.shape, kPositive);
+  if (background == "rayleigh") image.shape.reset();
+  image.noise_level = map.number("noise_level", image.noise_level, kPositive);
+  image.reverberation_level = map.number("reverberation_level", image.reverberation_level, kNotNegative);
+  image.reverberation_range = map.number("reverberation_range", image.reverberation_range, kPositive);
+  image.snr_db = map.number("snr_db", image.snr_db, {-40, 80});
+  map.finish();
+  return image;
+}
+
 PlatformPlan read_platform(const YamlMap& map) {
   PlatformPlan platform;
   if (const auto vehicle = map.map("vehicle")) platform.vehicle = read_vehicle(*vehicle);
   const auto sonar = map.map("sonar");
   if (!sonar) map.fail("sonar", "is missing, expected a mapping");
   platform.sonar = read_sonar(*sonar);
+  if (const auto image = map.map("image")) platform.image = read_image(*image);
   return platform;
 }
 
 std::vector<PlatformPlan> read_platforms(const YamlMap& map) {
   if (!map.has("vehicles")) return {read_platform(map)};
-  if (map.has("vehicle") || map.has("sonar")) map.fail("vehicles", "stands in place of vehicle and sonar");
+  if (map.has("vehicle") || map.has("sonar") || map.has("image"))
+    map.fail("vehicles", "stands in place of vehicle, sonar and image");
   std::vector<PlatformPlan> platforms;
   std::set<std::int32_t> node_ids;
   std::set<std::string> prefixes;

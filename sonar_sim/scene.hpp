@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/ground_truth.hpp"
 #include "core/sonar_params.hpp"
+#include "sonar_sim/image_model.hpp"
 #include "sonar_sim/target_motion.hpp"
 #include "sonar_sim/vehicle_motion.hpp"
 
@@ -33,6 +35,7 @@ struct PlatformPlan {
   std::int32_t node_id = 1;    ///< Of its tracker; unique in the scene.
   VehiclePlan vehicle;
   SonarPlan sonar;
+  std::optional<ImagePlan> image;  ///< Where the scene asks for raw images beside the scans.
 };
 
 struct Scene {

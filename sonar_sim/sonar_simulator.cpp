@@ -4,6 +4,7 @@
 
 #include "sonar_sim/beam_model.hpp"
 #include "sonar_sim/echo_noise.hpp"
+#include "sonar_sim/image_noise.hpp"
 
 namespace lookout::sonar_sim {
 namespace {
@@ -21,7 +22,8 @@ SonarSimulator::SonarSimulator(const Scene& scene, std::uint64_t seed, std::uint
       platform_index_(platform),
       motion_(scene_.platforms.at(platform).vehicle),
       random_(seed, core::RandomStream::simulator, stream_index(run, platform, 0)),
-      navigation_random_(seed, core::RandomStream::simulator, stream_index(run, platform, 1)) {}
+      navigation_random_(seed, core::RandomStream::simulator, stream_index(run, platform, 1)),
+      image_random_(seed, core::RandomStream::images, stream_index(run, platform, 0)) {}
 
 std::optional<SimulatedScan> SonarSimulator::next() {
   if (index_ >= num_scans(scene_, platform())) return std::nullopt;
@@ -35,6 +37,7 @@ std::optional<SimulatedScan> SonarSimulator::next() {
   simulated.T_earth_sonar =
       core::compose(motion_.at(time).T_earth_body, platform().sonar.params.T_body_sonar);
   simulated.scan = make_scan(simulated.truth, simulated.T_earth_sonar);
+  if (platform().image) simulated.image = make_image(simulated.truth, simulated.T_earth_sonar);
   report(time + kReportOffset);
   simulated.states_after = arrived_by(time + period - kReportOffset);
   ++index_;
@@ -78,6 +81,19 @@ core::SonarScan SonarSimulator::make_scan(const core::GroundTruth& truth, const 
                                              : draw_beam_returns(sonar, beam_owners(visible),
                                                                  static_cast<int>(visible.size()), random_);
   return scan;
+}
+
+core::SonarImage SonarSimulator::make_image(const core::GroundTruth& truth,
+                                            const core::Pose2& T_earth_sonar) {
+  std::vector<double> snr_db;
+  for (const auto& target : truth.targets)
+    for (const auto& plan : scene_.targets)
+      if (plan.id == target.id) snr_db.push_back(plan.snr_db.value_or(platform().image->snr_db));
+  core::SonarImage image =
+      draw_image(platform().sonar.params, *platform().image, T_earth_sonar, truth, snr_db, image_random_);
+  image.sequence = index_;
+  image.sensor_id = platform().node_id;
+  return image;
 }
 
 }  // namespace lookout::sonar_sim

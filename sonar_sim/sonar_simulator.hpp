@@ -8,6 +8,7 @@
 #include "core/ground_truth.hpp"
 #include "core/pose_history.hpp"
 #include "core/random.hpp"
+#include "core/sonar_image.hpp"
 #include "core/sonar_scan.hpp"
 #include "sonar_sim/scene.hpp"
 
@@ -17,6 +18,7 @@ namespace lookout::sonar_sim {
 struct SimulatedScan {
   std::vector<core::VehicleState> states_before;  ///< Navigation reports that arrive before the scan.
   core::SonarScan scan;
+  std::optional<core::SonarImage> image;         ///< The same ping as raw intensity, where the scene asks.
   std::vector<core::VehicleState> states_after;  ///< Reports that arrive between this scan and the next.
   core::GroundTruth truth;                       ///< All scheduled targets; `visible` at the true pose.
   core::Pose2 T_earth_sonar;                     ///< True pose of the sonar, which no tracker is told.
@@ -43,6 +45,8 @@ class SonarSimulator {
   std::vector<core::VehicleState> arrived_by(double time);
   core::SonarScan make_scan(const core::GroundTruth& truth, const core::Pose2& T_earth_sonar);
 
+  core::SonarImage make_image(const core::GroundTruth& truth, const core::Pose2& T_earth_sonar);
+
   struct Report {
     double arrival = 0.0;  ///< [s]
     core::VehicleState state;
@@ -53,6 +57,7 @@ class SonarSimulator {
   VehicleMotion motion_;
   core::Random random_;
   core::Random navigation_random_;  ///< Of its own, so that navigation faults leave the echoes as they are.
+  core::Random image_random_;       ///< Of its own, so that scans are the same with images and without.
   std::deque<Report> reports_;      ///< On their way.
   int index_ = 0;
 };

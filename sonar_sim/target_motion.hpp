@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <optional>
 
 namespace lookout::sonar_sim {
 
@@ -12,6 +13,7 @@ struct TargetPlan {
   Eigen::Vector2d velocity{0, 0};  ///< North, east [m/s] at time 0.
   double turn_rate = 0.0;          ///< Of the velocity, clockwise [rad/s].
   double acceleration = 0.0;       ///< Along the velocity [m/s^2]; a negative one ends by moving backwards.
+  std::optional<double> snr_db;    ///< In images [dB], see ImagePlan; absent: the plan's.
   double appear = 0.0;             ///< Present for appear <= t < disappear [s].
   double disappear = 1e9;          ///< [s], > appear.
 

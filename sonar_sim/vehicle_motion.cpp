@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace lookout::sonar_sim {
 namespace {
@@ -15,7 +16,8 @@ double course_of(const Eigen::Vector2d& velocity, double fallback) {
 
 }  // namespace
 
-VehicleMotion::VehicleMotion(const VehiclePlan& plan) : turn_rate_(plan.turn_rate) {
+VehicleMotion::VehicleMotion(const VehiclePlan& plan)
+    : turn_rate_(plan.turn_rate), yaw_swing_(plan.yaw_swing), yaw_period_(plan.yaw_period) {
   if (plan.waypoints.empty()) {
     const double heading = plan.heading.value_or(course_of(plan.velocity, 0.0));
     legs_.push_back({0.0, kForever, plan.position, plan.velocity, heading, heading});
@@ -55,7 +57,9 @@ core::VehicleState VehicleMotion::at(double time) const {
                                      [](double t, const Leg& leg) { return t < leg.start; });
   const Leg& leg = *(next - 1);
   const Eigen::Vector2d position = leg.position + leg.velocity * (time - leg.start);
-  return {core::microseconds(time), {position.x(), position.y(), heading_on(leg, time)}, leg.velocity};
+  const double yaw = yaw_swing_ * std::sin(2.0 * std::numbers::pi * time / yaw_period_);
+  const double heading = core::wrap_to_pi(heading_on(leg, time) + yaw);
+  return {core::microseconds(time), {position.x(), position.y(), heading}, leg.velocity};
 }
 
 }  // namespace lookout::sonar_sim

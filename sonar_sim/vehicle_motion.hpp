@@ -30,6 +30,8 @@ struct VehiclePlan {
   Eigen::Vector2d velocity{0, 0};   ///< North, east [m/s]; not used where there are waypoints.
   std::optional<double> heading;    ///< Held [rad]; absent: along the velocity (along each leg).
   std::vector<Waypoint> waypoints;  ///< Passed in order from `position`; the vehicle stops at the last.
+  double yaw_swing = 0.0;           ///< Amplitude of a sinusoid on top of the heading [rad], >= 0.
+  double yaw_period = 20.0;         ///< Of that sinusoid [s], > 0.
   double turn_rate = core::radians(10.0);  ///< Fastest change of heading at a waypoint [rad/s], > 0.
   NavigationFaults navigation;
 };
@@ -57,6 +59,7 @@ class VehicleMotion {
 
   std::vector<Leg> legs_;  ///< In order of time; the last never ends.
   double turn_rate_;
+  double yaw_swing_, yaw_period_;
 };
 
 }  // namespace lookout::sonar_sim

@@ -1,0 +1,83 @@
+#include "sonar_sim/image_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::sonar_sim {
+namespace {
+
+constexpr double kPulseReach = 5.0;  // standard deviations; beyond, the pulse is below 4e-6
+
+void require_positive(double value, const char* name) {
+  if (!(value > 0.0))
+    throw std::invalid_argument(std::string(name) + " must be > 0, got " + std::to_string(value));
+}
+
+}  // namespace
+
+double ImagePlan::background_level(double range) const {
+  return noise_level + reverberation_level / (1.0 + range / reverberation_range);
+}
+
+void check(const ImagePlan& plan) {
+  require_positive(plan.num_bins, "num_bins");
+  require_positive(plan.first_range, "first_range");
+  require_positive(plan.range_step, "range_step");
+  require_positive(plan.beam_null, "beam_null");
+  require_positive(plan.pulse_sigma, "pulse_sigma");
+  require_positive(plan.shape.value_or(1.0), "shape");
+  require_positive(plan.noise_level, "noise_level");
+  require_positive(plan.reverberation_range, "reverberation_range");
+  if (!(plan.reverberation_level >= 0.0))
+    throw std::invalid_argument("reverberation_level must be >= 0, got " +
+                                std::to_string(plan.reverberation_level));
+}
+
+core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& plan) {
+  check(plan);
+  core::SonarImage image;
+  image.T_body_sonar = sonar.T_body_sonar;
+  image.first_bearing = sonar.first_bearing;
+  image.bearing_step = sonar.bearing_step;
+  image.first_range = plan.first_range;
+  image.range_step = plan.range_step;
+  image.num_beams = sonar.num_beams;
+  image.num_bins = plan.num_bins;
+  image.intensity.assign(static_cast<std::size_t>(sonar.num_beams) * static_cast<std::size_t>(plan.num_bins),
+                         0.0);
+  return image;
+}
+
+double beam_response(const ImagePlan& plan, double bearing) {
+  const double x = std::numbers::pi * bearing / plan.beam_null;
+  return std::abs(x) < 1e-9 ? 1.0 : std::sin(x) / x;
+}
+
+double pulse_response(const ImagePlan& plan, double range) {
+  const double u = range / plan.pulse_sigma;
+  return std::exp(-0.5 * u * u);
+}
+
+void add_echo(const core::SonarImage& image, const ImagePlan& plan, const ImageTarget& target,
+              std::vector<std::complex<double>>& field) {
+  const double peak = plan.background_level(target.range) * std::pow(10.0, target.snr_db / 20.0);
+  const std::complex<double> echo = std::polar(peak, target.phase);
+  const double reach = kPulseReach * plan.pulse_sigma;
+  const auto bin_of = [&](double range) { return (range - image.first_range) / image.range_step; };
+  const int first = std::max(0, static_cast<int>(std::ceil(bin_of(target.range - reach))));
+  const int last = std::min(image.num_bins - 1, static_cast<int>(std::floor(bin_of(target.range + reach))));
+  for (int beam = 0; beam < image.num_beams; ++beam) {
+    const double off = core::wrap_to_pi(image.first_bearing + beam * image.bearing_step - target.bearing);
+    const std::complex<double> in_beam = echo * beam_response(plan, off);
+    for (int bin = first; bin <= last; ++bin) {
+      const double range = image.first_range + bin * image.range_step;
+      field[static_cast<std::size_t>(beam * image.num_bins + bin)] +=
+          in_beam * pulse_response(plan, range - target.range);
+    }
+  }
+}
+
+}  // namespace lookout::sonar_sim
