@@ -11,7 +11,7 @@ struct LocalEstimate {
   std::int64_t utime = 0;                     ///< Of the estimate [us].
   std::int64_t sequence = 0;                  ///< Of the scan behind it.
   std::int32_t node_id = 0;                   ///< Of the vehicle that sends.
-  Eigen::Vector2d node_position{0, 0};        ///< North, east of that vehicle [m].
+  Eigen::Vector2d p_earth_node{0, 0};         ///< Where its sensor stood: north, east [m].
   std::int64_t track_id = 0;                  ///< Unique at that vehicle.
   Eigen::Vector4d state{0, 0, 0, 0};          ///< North, east [m], north velocity, east velocity [m/s].
   std::optional<Eigen::Matrix4d> covariance;  ///< Of `state`, SI; absent where the method needs none.

@@ -1,21 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
-#include <cstdint>
-#include <optional>
+#include "core/local_estimate.hpp"
 
 namespace lookout::fusion {
 
-/// What a node says of one of its tracks: one message of the thin link, earth frame.
-struct LocalEstimate {
-  std::int64_t utime = 0;                     ///< Of the estimate, on the node's clock [us].
-  std::int64_t sequence = 0;                  ///< Number of the scan behind it.
-  std::int32_t node_id = 0;                   ///< Who sends it.
-  Eigen::Vector2d p_earth_node{0, 0};         ///< Where its sensor stood: north, east [m].
-  std::int64_t track_id = 0;                  ///< The node's own number of the track.
-  Eigen::Vector4d state{0, 0, 0, 0};          ///< North, east [m], north velocity, east velocity [m/s].
-  std::optional<Eigen::Matrix4d> covariance;  ///< Of `state`, for the methods that need it.
-};
+using core::LocalEstimate;
 
 /// The bounds outside of which an estimate cannot be meant.
 struct EstimateLimits {

@@ -119,7 +119,7 @@ Converted<core::LocalEstimate> to_core(const local_estimate_t& wire) {
   estimate.utime = wire.utime;
   estimate.sequence = wire.sequence;
   estimate.node_id = wire.node_id;
-  estimate.node_position = {wire.node_north, wire.node_east};
+  estimate.p_earth_node = {wire.node_north, wire.node_east};
   estimate.track_id = wire.track_id;
   estimate.state << wire.north, wire.east, wire.north_velocity, wire.east_velocity;
   if (!wire.covariance.empty()) estimate.covariance = Eigen::Map<const RowMajor4>(wire.covariance.data());
@@ -131,8 +131,8 @@ local_estimate_t to_wire(const core::LocalEstimate& estimate) {
   wire.utime = estimate.utime;
   wire.sequence = estimate.sequence;
   wire.node_id = estimate.node_id;
-  wire.node_north = estimate.node_position.x();
-  wire.node_east = estimate.node_position.y();
+  wire.node_north = estimate.p_earth_node.x();
+  wire.node_east = estimate.p_earth_node.y();
   wire.track_id = estimate.track_id;
   wire.north = estimate.state[0];
   wire.east = estimate.state[1];

@@ -1,34 +1,41 @@
 #include "tools/tracking_chain.hpp"
 
+#include "tools/log.hpp"
+
 namespace lookout::tools {
 
-TrackingChain::TrackingChain(const Configuration& configuration, std::uint64_t seed)
-    : tracker_(tracking::make_tracker(configuration.tracker.name, configuration.tracker, configuration.sensor,
-                                      configuration.estimator, seed)) {}
-
-void TrackingChain::add(const core::VehicleState& state) {
-  history_.add(state);
-  release();
+tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configuration, std::uint64_t seed) {
+  return [configuration, seed](const core::SonarParams& sensor) {
+    return tracking::make_tracker(configuration.tracker.name, configuration.tracker, sensor,
+                                  configuration.estimator, seed);
+  };
 }
 
-void TrackingChain::add(const core::SonarScan& scan) {
-  waiting_.push_back(scan);
-  release();
-}
+RecordedChain::RecordedChain(const Configuration& configuration, std::uint64_t seed)
+    : chain_(
+          configuration.sensor, tracker_maker(configuration, seed),
+          [this](const core::PosedScan& scan, std::span<const core::Track> tracks,
+                 const tracking::Tracker& tracker) {
+            const auto elements = tracker.elements();
+            output_.tracks.push_back({scan.scan.utime, {tracks.begin(), tracks.end()}});
+            output_.elements.push_back({scan.scan.utime, {elements.begin(), elements.end()}});
+          },
+          [](const std::string& line) { log_warning(line); }) {}
 
-void TrackingChain::release() {
-  while (!waiting_.empty() && history_.reaches(waiting_.front().utime)) {
-    const core::SonarScan& scan = waiting_.front();
-    if (const auto body = history_.at(scan.utime)) {
-      const auto tracks = tracker_->update({scan, core::compose(*body, scan.T_body_sonar)});
-      const auto elements = tracker_->elements();
-      output_.tracks.push_back({scan.utime, {tracks.begin(), tracks.end()}});
-      output_.elements.push_back({scan.utime, {elements.begin(), elements.end()}});
-    } else {
-      ++output_.rejected;
-    }
-    waiting_.pop_front();
-  }
+std::string describe(const tracking::IntakeCounts& counts) {
+  std::string line = std::to_string(counts.accepted) + " scans tracked";
+  const auto add = [&line](std::int64_t count, const char* what) {
+    if (count != 0) line += ", " + std::to_string(count) + " " + what;
+  };
+  add(counts.no_pose, "rejected without a pose");
+  add(counts.damaged, "rejected as damaged");
+  add(counts.out_of_time, "rejected as out of time");
+  add(counts.lost, "lost by sequence");
+  add(counts.restarts, "restarts of the sequence");
+  add(counts.resets, "new clocks");
+  add(counts.dropped_returns, "returns out of bounds");
+  add(counts.bad_states, "vehicle states rejected");
+  return line;
 }
 
 }  // namespace lookout::tools

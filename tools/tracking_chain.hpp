@@ -1,39 +1,42 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
-#include <memory>
 #include <vector>
 
 #include "core/recording.hpp"
 #include "tools/configuration.hpp"
-#include "tracking/tracker.hpp"
+#include "tracking/tracking_chain.hpp"
 
 namespace lookout::tools {
+
+/// Makes the tracker that the configuration names, for a sensor of any geometry.
+tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configuration, std::uint64_t seed);
 
 /// What tracking a stream of scans gives.
 struct ChainOutput {
   std::vector<core::TrackList> tracks;      ///< One list an accepted scan, empty ones included.
   std::vector<core::ElementList> elements;  ///< Likewise.
-  std::int64_t rejected = 0;                ///< Scans without a pose.
 };
 
-/// The on-vehicle chain in one process: vehicle states and scans in, in order of arrival; tracks out.
-class TrackingChain {
+/// The on-vehicle chain in one process, its output kept: vehicle states and scans in, in order of arrival;
+/// tracks out. What the intake has to say goes to the log.
+class RecordedChain {
  public:
-  TrackingChain(const Configuration& configuration, std::uint64_t seed);
+  RecordedChain(const Configuration& configuration, std::uint64_t seed);
 
-  void add(const core::VehicleState& state);
-  void add(const core::SonarScan& scan);
+  void add(const core::VehicleState& state) { chain_.add(state); }
+  void add(const core::SonarScan& scan) { chain_.add(scan); }
+  void finish() { chain_.finish(); }
+
   const ChainOutput& output() const { return output_; }
+  const tracking::IntakeCounts& counts() const { return chain_.counts(); }
 
  private:
-  void release();
-
-  std::unique_ptr<tracking::Tracker> tracker_;
-  core::PoseHistory history_;
-  std::deque<core::SonarScan> waiting_;
   ChainOutput output_;
+  tracking::TrackingChain chain_;
 };
+
+/// One line: scans tracked, and what was rejected or lost where anything was.
+std::string describe(const tracking::IntakeCounts& counts);
 
 }  // namespace lookout::tools

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "core/motion_element.hpp"
+#include "core/sensor_estimate.hpp"
 #include "core/sonar_scan.hpp"
 #include "core/track.hpp"
 
@@ -20,6 +22,10 @@ class Tracker {
   /// The motion elements that the estimator behind the tracker found in the newest window; empty where none
   /// is used.
   virtual std::span<const core::MotionElement> elements() const { return {}; }
+
+  /// The sensor's figures as the tracker sees them after the newest scan; nothing from trackers that do not
+  /// estimate them.
+  virtual std::optional<core::SensorEstimate> sensor_estimate() const { return std::nullopt; }
 };
 
 }  // namespace lookout::tracking

@@ -124,7 +124,7 @@ TEST(Convert, LocalEstimateThereAndBackWithAndWithoutCovariance) {
   ASSERT_TRUE(back && back->covariance);
   EXPECT_EQ(*back->covariance, *estimate.covariance);
   EXPECT_EQ(back->node_id, 2);
-  EXPECT_EQ(back->node_position, Eigen::Vector2d(1, -1));
+  EXPECT_EQ(back->p_earth_node, Eigen::Vector2d(1, -1));
   EXPECT_EQ(back->track_id, 99);
   EXPECT_EQ(back->state, Eigen::Vector4d(1, 2, 3, 4));
   estimate.covariance.reset();

@@ -81,7 +81,7 @@ inline core::LocalEstimate example_local_estimate() {
   estimate.utime = 2'500'000;
   estimate.sequence = 6;
   estimate.node_id = 2;
-  estimate.node_position = {1.0, -1.0};
+  estimate.p_earth_node = {1.0, -1.0};
   estimate.track_id = 99;
   estimate.state << 1.0, 2.0, 3.0, 4.0;
   estimate.covariance = example_track(1).covariance;

@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -21,15 +20,16 @@ namespace {
 struct Run {
   core::Recording recording;
   ChainOutput output;
+  tracking::IntakeCounts counts;
 };
 
-/// Reports in order of their own time, as a recording holds them; of two at one time the later arrival.
-void put_in_order(std::vector<core::VehicleState>& vehicle) {
-  std::reverse(vehicle.begin(), vehicle.end());
-  std::stable_sort(vehicle.begin(), vehicle.end(),
-                   [](const auto& a, const auto& b) { return a.utime < b.utime; });
-  const auto same_time = [](const auto& a, const auto& b) { return a.utime == b.utime; };
-  vehicle.erase(std::unique(vehicle.begin(), vehicle.end(), same_time), vehicle.end());
+/// Keeps the reports that the chain believed, as a recording holds them: each later than all before it.
+void keep_in_order(std::vector<core::VehicleState>& vehicle) {
+  std::vector<core::VehicleState> kept;
+  for (const auto& state : vehicle) {
+    if (kept.empty() || state.utime > kept.back().utime) kept.push_back(state);
+  }
+  vehicle = std::move(kept);
 }
 
 /// What the tracker is told: the configuration, with the geometry that the scans carry; with --known-sensor
@@ -52,7 +52,7 @@ Run run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration
                  const Options& options) {
   sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
   configuration.sensor = told_params(scene, simulator.platform(), configuration, options.known_sensor);
-  TrackingChain chain(configuration, options.seed);
+  RecordedChain chain(configuration, options.seed);
   Run run;
   run.recording.params = configuration.sensor;
   ProgressBar bar(static_cast<std::size_t>(num_scans(scene, simulator.platform())));
@@ -67,8 +67,10 @@ Run run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration
     run.recording.truth.push_back(simulated->truth);
     bar.show(run.recording.scans.size());
   }
-  put_in_order(run.recording.vehicle);
+  keep_in_order(run.recording.vehicle);
+  chain.finish();
   run.output = chain.output();
+  run.counts = chain.counts();
   return run;
 }
 
@@ -98,7 +100,7 @@ void write_summary(const std::string& path, const Run& run, const Configuration&
       {"estimator", configuration.estimator.name},
       {"scans", run.recording.scans.size()},
       {"tracked_scans", run.output.tracks.size()},
-      {"rejected_scans", run.output.rejected},
+      {"rejected_scans", run.counts.rejected()},
       {"truth", options.truth},
       {"cutoff", options.cutoff},
       {"order", options.order},
@@ -120,8 +122,8 @@ void write_run(const std::string& directory, const Run& run, const Configuration
   tracking::Scorer scorer = make_scorer(options);
   write_ospa(directory + "/ospa.csv", run, scorer);
   write_summary(directory + "/summary.json", run, configuration, scorer, options);
-  log_info(directory + ": " + std::to_string(run.output.tracks.size()) + " scans tracked, " +
-           describe(scorer.mean().position) + ", truth " + options.truth);
+  log_info(directory + ": " + describe(run.counts) + ", " + describe(scorer.mean().position) + ", truth " +
+           options.truth);
 }
 
 }  // namespace
