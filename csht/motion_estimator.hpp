@@ -20,7 +20,8 @@ class MotionEstimator {
   /// @return valid until the next call; empty where nothing is found.
   virtual std::span<const core::MotionElement> update(const core::PosedScan& scan) = 0;
 
-  /// Tracks offered as extra candidates to the next `update`; methods without such a use ignore them.
+  /// Tracks offered as extra candidates to the next `update`, as they were at the scan of the last one; methods
+  /// without such a use ignore them.
   virtual void offer(std::span<const core::Track> /*tracks*/) {}
 
   virtual core::EstimatorMethod method() const = 0;

@@ -26,13 +26,13 @@ CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParam
 std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan) {
   const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
   csht::scan_to_detections(scan, 0, detections_);
-  book_.predict_to(scan.scan.utime, params_.motion);
   estimator_->offer(book_.tracks());
+  book_.predict_to(scan.scan.utime, params_.motion);
   elements_ = estimator_->update(scan);
   associate(sonar);
   smooth(sonar);
   book_.step(scan, sonar, supported_);
-  begin_on_new_elements(scan.scan.utime);
+  begin_on_new_elements(scan, sonar);
   return book_.tracks();
 }
 
@@ -63,11 +63,14 @@ void CshtTracker::smooth(const core::SonarParams& sonar) {
   }
 }
 
-void CshtTracker::begin_on_new_elements(std::int64_t utime) {
+void CshtTracker::begin_on_new_elements(const core::PosedScan& scan, const core::SonarParams& sonar) {
   for (std::size_t j = 0; j < elements_.size(); ++j) {
-    if (explained_[j] || elements_[j].existence < params_.min_existence) continue;
-    book_.begin(utime, elements_[j].state(), elements_[j].covariance);
-    book_.tracks().back().existence = elements_[j].existence;
+    const core::MotionElement& element = elements_[j];
+    if (explained_[j] || element.existence < params_.min_existence) continue;
+    // What leaves the field of view before it was ever reported is not begun any more.
+    if (!core::observe(sonar, scan.T_earth_sonar, element.position).visible()) continue;
+    book_.begin(scan.scan.utime, element.state(), element.covariance);
+    book_.tracks().back().existence = element.existence;
   }
 }
 

@@ -40,7 +40,7 @@ class CshtTracker : public Tracker {
  private:
   void associate(const core::SonarParams& sonar);
   void smooth(const core::SonarParams& sonar);
-  void begin_on_new_elements(std::int64_t utime);
+  void begin_on_new_elements(const core::PosedScan& scan, const core::SonarParams& sonar);
 
   CshtTrackerParams params_;
   core::SonarParams sonar_;

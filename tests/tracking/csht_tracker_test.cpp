@@ -71,11 +71,11 @@ TEST_F(CshtTrackerTest, AnElementThatHardlyExistsIsAFalseTarget) {
   EXPECT_TRUE(step({element(50.0, 1.0, 0.4)}).empty());
 }
 
-TEST_F(CshtTrackerTest, OffersItsTracksPredictedToTheScan) {
+TEST_F(CshtTrackerTest, OffersItsTracksAsTheyWereAtTheLastScan) {
   step({element(50.0, 1.0)});
   step({});
   ASSERT_EQ(estimator_->offered.size(), 1U);
-  EXPECT_NEAR(estimator_->offered[0].state(0), 50.5, 1e-12);
+  EXPECT_NEAR(estimator_->offered[0].state(0), 50.0, 1e-12);
 }
 
 TEST_F(CshtTrackerTest, DropsATrackThatTheWindowNoLongerSupports) {

@@ -5,12 +5,23 @@
 #include <string>
 
 namespace lookout::tracking {
+namespace {
+
+/// Mean variance of the two axes that begin at `first`: 0 position [m^2], 2 velocity [m^2/s^2].
+double variance(const core::Track& track, const core::MotionElement& element, int first) {
+  return 0.5 * (track.covariance.diagonal().segment<2>(first).sum() +
+                element.covariance.diagonal().segment<2>(first).sum());
+}
+
+}  // namespace
 
 void ElementGate::validate() const {
   if (!(position > 0.0))
     throw std::invalid_argument("element gate: position must be > 0, got " + std::to_string(position));
   if (!(velocity > 0.0))
     throw std::invalid_argument("element gate: velocity must be > 0, got " + std::to_string(velocity));
+  if (!(sigmas >= 0.0))
+    throw std::invalid_argument("element gate: sigmas must be >= 0, got " + std::to_string(sigmas));
 }
 
 TrackToElement::TrackToElement(const ElementGate& gate) : gate_(gate) {
@@ -39,11 +50,12 @@ const std::vector<int>& TrackToElement::assign(std::span<const core::Track> trac
 }
 
 double TrackToElement::cost(const core::Track& track, const core::MotionElement& element) const {
-  const double distance = (track.position() - element.position).squaredNorm();
-  const double speed = (track.velocity() - element.velocity).squaredNorm();
+  const double spread = gate_.sigmas * gate_.sigmas;
+  const double position = gate_.position * gate_.position + spread * variance(track, element, 0);
+  const double velocity = gate_.velocity * gate_.velocity + spread * variance(track, element, 2);
   // At the gate a pair costs as much as leaving both alone.
-  return std::min(1.0,
-                  distance / (gate_.position * gate_.position) + speed / (gate_.velocity * gate_.velocity));
+  return std::min(1.0, (track.position() - element.position).squaredNorm() / position +
+                           (track.velocity() - element.velocity).squaredNorm() / velocity);
 }
 
 }  // namespace lookout::tracking

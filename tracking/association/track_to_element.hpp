@@ -10,17 +10,20 @@
 
 namespace lookout::tracking {
 
-/// How far a window estimate may lie from its trajectory.
+/// How far a window estimate may lie from its trajectory. The first estimates of a target come from three
+/// echoes and differ by more than two targets do: the gate is wider by their own uncertainty.
 struct ElementGate {
-  double position = 10.0;  ///< Distance [m] at which position alone closes the gate, > 0.
+  double position = 10.0;  ///< Distance [m] at which position alone closes the gate of two exact states, > 0.
   double velocity = 1.5;   ///< The same of velocity [m/s], > 0.
+  double sigmas = 4.0;     ///< Standard deviations of both that widen it (root of the sum of squares), >= 0.
 
   /// @throws std::invalid_argument naming the first value out of range.
   void validate() const;
 };
 
 /// Which motion element belongs to which trajectory: the one-to-one assignment of least
-/// (distance / position)^2 + (speed difference / velocity)^2, no pair at 1 or above. [Yan2018] Sec. IV.
+/// (distance / position gate)^2 + (speed difference / velocity gate)^2, no pair at 1 or above. [Yan2018] Sec.
+/// IV.
 class TrackToElement {
  public:
   explicit TrackToElement(const ElementGate& gate);

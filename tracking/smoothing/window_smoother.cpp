@@ -34,7 +34,8 @@ void WindowSmoother::correct(core::Track& track, int age, const core::Detection*
 
 bool WindowSmoother::disagree(const core::Track& track, const core::MotionElement& element) const {
   const Eigen::Vector4d difference = track.state - element.state();
-  const double distance = difference.dot(element.covariance.ldlt().solve(difference));
+  const Eigen::Matrix4d spread = track.covariance + element.covariance;
+  const double distance = difference.dot(spread.ldlt().solve(difference));
   return distance > params_.disagreement;
 }
 

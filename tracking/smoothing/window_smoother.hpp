@@ -9,8 +9,9 @@ namespace lookout::tracking {
 
 /// When a trajectory follows its own filter and when the window's estimate.
 struct WindowSmootherParams {
-  double disagreement = 16.0;  ///< Squared Mahalanobis distance that resets to the window estimate, > 0.
-  int young_scans = 6;         ///< Scans from birth in which the window estimate is taken as it is, >= 0.
+  double disagreement = 16.0;  ///< Squared Mahalanobis distance, under the sum of both covariances, that
+                               ///< resets to the window estimate, > 0.
+  int young_scans = 6;  ///< Scans from birth in which the window estimate is taken as it is, >= 0.
 
   /// @throws std::invalid_argument naming the first value out of range.
   void validate() const;

@@ -31,6 +31,14 @@ TEST(TrackToElement, GateClosesAtTenMetresOrOneAndAHalfMetresPerSecond) {
   EXPECT_EQ(association.assign(tracks, std::vector{element_at(50.0, 1.5)}), Answer{-1});
 }
 
+TEST(TrackToElement, UncertainStatesWidenTheGate) {
+  TrackToElement association({.position = 10.0, .velocity = 1.5, .sigmas = 2.0});
+  std::vector<core::Track> tracks{track_at(50.0)};
+  tracks[0].covariance.diagonal() << 0.0, 0.0, 4.0, 4.0;  // gate: root of 1.5^2 + 2^2 x 4 = 4.27 m/s
+  EXPECT_EQ(association.assign(tracks, std::vector{element_at(50.0, 4.2)}), Answer{0});
+  EXPECT_EQ(association.assign(tracks, std::vector{element_at(50.0, 4.3)}), Answer{-1});
+}
+
 TEST(TrackToElement, VelocityTellsTwoAtOnePlaceApart) {
   TrackToElement association({});
   const std::vector<core::Track> tracks{track_at(50.0, 0.5), track_at(50.0, -0.5)};
@@ -51,8 +59,8 @@ TEST(TrackToElement, EmptySides) {
 }
 
 TEST(TrackToElement, RefusesAnEmptyGate) {
-  EXPECT_THROW(TrackToElement({.position = 0.0, .velocity = 1.0}), std::invalid_argument);
-  EXPECT_THROW(TrackToElement({.position = 1.0, .velocity = -1.0}), std::invalid_argument);
+  EXPECT_THROW(TrackToElement({.position = 0.0, .velocity = 1.0, .sigmas = 3.0}), std::invalid_argument);
+  EXPECT_THROW(TrackToElement({.position = 1.0, .velocity = -1.0, .sigmas = 3.0}), std::invalid_argument);
 }
 
 }  // namespace
