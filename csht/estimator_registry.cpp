@@ -6,6 +6,7 @@
 #include "core/yaml_reader.hpp"
 #include "csht/csht_estimator.hpp"
 #include "csht/csht_printed_estimator.hpp"
+#include "csht/joint_estimator.hpp"
 #include "csht/sht_estimator.hpp"
 
 namespace lookout::csht {
@@ -29,6 +30,15 @@ std::unique_ptr<MotionEstimator> make_csht(const EstimatorParams& params, const 
   return std::make_unique<CshtEstimator>(csht, sonar);
 }
 
+std::unique_ptr<MotionEstimator> make_joint(const EstimatorParams& params, const core::SonarParams& sonar,
+                                            std::uint64_t seed) {
+  JointEstimatorParams joint =
+      params.use == EstimatorUse::window ? JointEstimatorParams::window() : JointEstimatorParams{};
+  joint.window_scans = params.window_scans;
+  joint.first_estimate_scans = params.first_estimate_scans;
+  return std::make_unique<JointEstimator>(joint, sonar, seed);
+}
+
 template <typename Params, typename Estimator>
 std::unique_ptr<MotionEstimator> make_baseline(const EstimatorParams& params, const core::SonarParams& sonar,
                                                std::uint64_t) {
@@ -41,6 +51,7 @@ std::unique_ptr<MotionEstimator> make_baseline(const EstimatorParams& params, co
 /// One line an estimator.
 const std::vector<Entry>& registry() {
   static const std::vector<Entry> entries{
+      {"joint", make_joint},
       {"csht", make_csht},
       {"csht_printed", make_baseline<CshtPrintedParams, CshtPrintedEstimator>},
       {"sht", make_baseline<ShtParams, ShtEstimator>},

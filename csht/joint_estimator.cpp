@@ -1,0 +1,72 @@
+#include "csht/joint_estimator.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+namespace {
+
+JointEstimatorParams for_sensor(JointEstimatorParams params, const core::SonarParams& sonar) {
+  params.search.prior.max_speed = sonar.max_speed;
+  params.model.clutter = clutter_model_of(sonar);
+  if (params.window_scans < 3)
+    throw std::invalid_argument("window_scans must be >= 3, got " + std::to_string(params.window_scans));
+  if (!(params.min_existence >= 0.0 && params.min_existence <= 1.0))
+    throw std::invalid_argument("min_existence must be in [0, 1], got " +
+                                std::to_string(params.min_existence));
+  if (params.first_estimate_scans < 1 || params.first_estimate_scans > params.window_scans)
+    throw std::invalid_argument("first_estimate_scans must be 1 to window_scans, got " +
+                                std::to_string(params.first_estimate_scans));
+  return params;
+}
+
+core::MotionElement element_of(const TargetHypothesis& target, std::int64_t initial_utime, double seconds) {
+  core::MotionElement element;
+  element.initial_utime = initial_utime;
+  element.position = target.mean.head<2>();
+  element.velocity = target.mean.tail<2>();
+  element.initial_position = element.position + seconds * element.velocity;
+  element.covariance = target.covariance;
+  element.score = target.log_odds;
+  element.existence = target.existence();
+  element.support = static_cast<int>(std::lround(target.support));
+  return element;
+}
+
+}  // namespace
+
+JointEstimatorParams JointEstimatorParams::window() {
+  JointEstimatorParams params;
+  params.search.prior.interior_birth_rate = 0.0;
+  return params;
+}
+
+JointEstimator::JointEstimator(const JointEstimatorParams& params, const core::SonarParams& sonar,
+                               std::uint64_t seed)
+    : params_(for_sensor(params, sonar)),
+      history_(figures_of(sonar), params_.model, params_.window_scans),
+      search_(params_.search),
+      seed_(seed),
+      random_(seed, core::RandomStream::estimator) {
+  elements_.reserve(static_cast<std::size_t>(params_.search.pool + params_.search.seeds.keep));
+}
+
+std::span<const core::MotionElement> JointEstimator::update(const core::PosedScan& scan) {
+  history_.push(scan);
+  random_.reseed(seed_, core::RandomStream::estimator, static_cast<std::uint64_t>(scan.scan.sequence));
+  none_.clear(history_, params_.window_scans);
+  report(search_.update(history_, params_.window_scans, none_, random_));
+  return elements_;
+}
+
+void JointEstimator::report(std::span<const TargetHypothesis> targets) {
+  const int oldest = history_.size() - 1;
+  elements_.clear();
+  if (history_.size() < params_.first_estimate_scans) return;
+  for (const auto& target : targets)
+    if (target.existence() > params_.min_existence)
+      elements_.push_back(element_of(target, history_.at_age(oldest).utime, history_.seconds_at_age(oldest)));
+}
+
+}  // namespace lookout::csht

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/sonar_params.hpp"
+#include "csht/joint_search.hpp"
+#include "csht/motion_estimator.hpp"
+
+namespace lookout::csht {
+
+struct JointEstimatorParams {
+  JointSearchParams search;      ///< The speed limit in it is the sensor's.
+  SensorModelParams model;       ///< The clutter model in it follows the sensor.
+  int window_scans = 20;         ///< Scans in a full window, >= 3. [Yan2018] W.
+  int first_estimate_scans = 3;  ///< Scans before anything is reported, >= 1.
+  double min_existence = 0.5;    ///< Least probability of existence that is reported, in [0, 1].
+
+  /// For a window in which every target is present throughout: no births within it.
+  static JointEstimatorParams window();
+};
+
+/// Motion estimation from all that the scans of a window hold: joint hypotheses in position and velocity,
+/// the exact likelihood of every beam, evidence against a prior in physical units. docs/estimator.md.
+class JointEstimator : public MotionEstimator {
+ public:
+  /// @throws std::invalid_argument showing the value that is out of range.
+  JointEstimator(const JointEstimatorParams& params, const core::SonarParams& sonar, std::uint64_t seed);
+
+  std::span<const core::MotionElement> update(const core::PosedScan& scan) override;
+
+  core::EstimatorMethod method() const override { return core::EstimatorMethod::joint; }
+  int window_scans() const override { return params_.window_scans; }
+  const JointSearch& search() const { return search_; }
+  const ScanHistory& history() const { return history_; }
+
+ private:
+  void report(std::span<const TargetHypothesis> targets);
+
+  JointEstimatorParams params_;
+  ScanHistory history_;
+  ClaimSet none_;
+  JointSearch search_;
+  std::uint64_t seed_;
+  core::Random random_;
+  std::vector<core::MotionElement> elements_;
+};
+
+}  // namespace lookout::csht

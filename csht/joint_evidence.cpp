@@ -1,0 +1,200 @@
+#include "csht/joint_evidence.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "csht/fast_math.hpp"
+
+namespace lookout::csht {
+namespace {
+
+constexpr std::size_t kSequence =
+    4096;  // Length of the low-discrepancy sequence; stages start anywhere in it.
+
+void require(bool holds, const char* what, double value) {
+  if (!holds) throw std::invalid_argument(std::string(what) + ", got " + std::to_string(value));
+}
+
+// Additive recurrence on the root of x^5 = x + 1, the generalised golden ratio of four dimensions
+// [Roberts2018], then Box and Muller's transform pair by pair.
+std::vector<Eigen::Vector4d> normal_sequence() {
+  double ratio = 1.0;
+  for (int i = 0; i < 60; ++i) ratio = std::pow(1.0 + ratio, 0.2);
+  std::vector<Eigen::Vector4d> sequence(kSequence);
+  for (std::size_t n = 0; n < kSequence; ++n) {
+    Eigen::Vector4d u;
+    for (int d = 0; d < 4; ++d) {
+      const double value = 0.5 + static_cast<double>(n + 1) * std::pow(ratio, -(d + 1));
+      u[d] = value - std::floor(value);
+    }
+    for (int d = 0; d < 4; d += 2) {
+      const double radius = std::sqrt(-2.0 * std::log(std::max(u[d], 1e-12)));
+      const double angle = 2.0 * std::numbers::pi * u[d + 1];
+      sequence[n][d] = radius * std::cos(angle);
+      sequence[n][d + 1] = radius * std::sin(angle);
+    }
+  }
+  return sequence;
+}
+
+constexpr double kCooling = 0.7;     // Factor on the power of the weights per step of flattening.
+constexpr double kLeastHeat = 0.02;  // Below it the weights are as good as flat.
+
+// ln(e^a + e^b) to single precision.
+double log_add(double a, double b) {
+  const double high = std::max(a, b);
+  return high + static_cast<double>(fast_log(1.0F + fast_exp(static_cast<float>(std::min(a, b) - high))));
+}
+
+bool in_view(const ScanTable& scan, const Eigen::Vector2d& p_earth) {
+  const double dn = p_earth.x() - scan.T_earth_sonar.north, de = p_earth.y() - scan.T_earth_sonar.east;
+  const double x = scan.cos_axis * dn + scan.sin_axis * de, y = scan.cos_axis * de - scan.sin_axis * dn;
+  const float bearing = fast_atan2(static_cast<float>(y), static_cast<float>(x));
+  return dn * dn + de * de <= scan.max_range * scan.max_range && std::abs(bearing) <= scan.half_sector;
+}
+
+double blend(double from, double to, int stage, int stages) {
+  return stages == 1 ? to : from + (to - from) * stage / (stages - 1);
+}
+
+}  // namespace
+
+JointEvidence::JointEvidence(const JointEvidenceParams& params)
+    : params_(params), normal_(normal_sequence()) {
+  require(params.samples >= TargetHypothesis::kSamples, "samples must be >= 32", params.samples);
+  require(params.stages >= 1, "stages must be >= 1", params.stages);
+  require(params.proposal_scale > 0.0, "proposal_scale must be > 0", params.proposal_scale);
+  require(params.wide_scale > params.proposal_scale, "wide_scale must be > proposal_scale",
+          params.wide_scale);
+  require(params.wide_share > 0.0 && params.wide_share < 1.0, "wide_share must be in (0, 1)",
+          params.wide_share);
+  const auto size = static_cast<std::size_t>(params.samples);
+  for (auto* values :
+       {&north_, &east_, &north_velocity_, &east_velocity_, &log_proposal_, &log_ratio_, &weight_})
+    values->resize(size);
+}
+
+void JointEvidence::evaluate(const ScanHistory& history, int window_scans, const ClaimSet& claims,
+                             const TrajectoryPrior& prior, int stages, core::Random& random,
+                             TargetHypothesis& hypothesis) {
+  const int window = std::min(window_scans, history.size());
+  const double log_density = prior.log_density(history.newest());
+  const int first = params_.stages - std::clamp(stages, 1, params_.stages);
+  for (int stage = first; stage < params_.stages; ++stage) {
+    const Tolerance tolerance{
+        blend(params_.first.sigma_scale, params_.last.sigma_scale, stage, params_.stages),
+        blend(params_.first.edge_softness, params_.last.edge_softness, stage, params_.stages)};
+    if (!propose(hypothesis, history.newest(), prior.max_speed(), random)) break;
+    weigh(history, window, claims, prior, tolerance);
+    hypothesis.log_odds = log_evidence() + log_density;
+    if (!(hypothesis.log_odds > params_.hopeless)) return;
+    if (stage + 1 < params_.stages) flatten();
+    moments(hypothesis);
+  }
+  resample(random, hypothesis);
+}
+
+bool JointEvidence::propose(const TargetHypothesis& hypothesis, const ScanTable& newest, double max_speed,
+                            core::Random& random) {
+  const Eigen::LLT<Eigen::Matrix4d> factor(hypothesis.covariance);
+  if (factor.info() != Eigen::Success) return false;
+  const Eigen::Matrix4d root = factor.matrixL();
+  const double log_root = std::log(root.diagonal().prod());
+  const double log_normal = -2.0 * std::log(2.0 * std::numbers::pi) - log_root;
+  const double narrow = params_.proposal_scale, wide = params_.wide_scale;
+  const double narrow_height = (1.0 - params_.wide_share) / std::pow(narrow, 4);
+  const double wide_height = params_.wide_share / std::pow(wide, 4);
+  const auto offset = static_cast<std::size_t>(random.index(static_cast<int>(kSequence)));
+  const double shift = random.uniform(0.0, 1.0);
+  for (std::size_t i = 0; i < north_.size(); ++i) {
+    // Every 1 / wide_share-th sample is wide; the shift keeps the choice unbiased.
+    const double turn = params_.wide_share * static_cast<double>(i) + shift;
+    const bool is_wide = std::floor(turn) != std::floor(turn - params_.wide_share);
+    const Eigen::Vector4d z = (is_wide ? wide : narrow) * normal_[(offset + i) % kSequence];
+    const Eigen::Vector4d state = hypothesis.mean + root.triangularView<Eigen::Lower>() * z;
+    const double square = z.squaredNorm();
+    log_proposal_[i] = log_normal + std::log(narrow_height * std::exp(-0.5 * square / (narrow * narrow)) +
+                                             wide_height * std::exp(-0.5 * square / (wide * wide)));
+    // Outside the prior's support the weight is zero: too fast, or not in view at the newest scan.
+    if (state.tail<2>().squaredNorm() > max_speed * max_speed || !in_view(newest, state.head<2>()))
+      log_proposal_[i] = std::numeric_limits<double>::infinity();
+    north_[i] = state[0];
+    east_[i] = state[1];
+    north_velocity_[i] = state[2];
+    east_velocity_[i] = state[3];
+  }
+  return true;
+}
+
+// From the oldest scan on, so that births within the window add as they come: the sum over all starts.
+void JointEvidence::weigh(const ScanHistory& history, int window, const ClaimSet& claims,
+                          const TrajectoryPrior& prior, const Tolerance& tolerance) {
+  std::fill(log_ratio_.begin(), log_ratio_.end(), 0.0);
+  for (int age = window - 1; age >= 0; --age) {
+    add_log_ratio(history.at_age(age), claims.at_age(age), {north_, east_, north_velocity_, east_velocity_},
+                  history.seconds_at_age(age), tolerance, log_ratio_);
+    if (age == 0 || !std::isfinite(prior.log_birth())) continue;
+    for (double& value : log_ratio_) value = log_add(value, prior.log_birth());
+  }
+}
+
+double JointEvidence::log_evidence() {
+  double highest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < log_ratio_.size(); ++i) {
+    log_ratio_[i] -= log_proposal_[i];
+    highest = std::max(highest, log_ratio_[i]);
+  }
+  if (!std::isfinite(highest)) return highest;
+  for (double& value : log_ratio_) value -= highest;
+  return highest + std::log(temper(1.0) / static_cast<double>(weight_.size()));
+}
+
+// Weights to the power `heat`, normalised; returns their sum before.
+double JointEvidence::temper(double heat) {
+  double sum = 0.0, squares = 0.0;
+  for (std::size_t i = 0; i < weight_.size(); ++i) {
+    weight_[i] = static_cast<double>(fast_exp(static_cast<float>(heat * log_ratio_[i])));
+    sum += weight_[i];
+    squares += weight_[i] * weight_[i];
+  }
+  for (double& weight : weight_) weight /= sum;
+  effective_samples_ = sum * sum / squares;
+  return sum;
+}
+
+// A cloud that hangs on few samples says nothing of its width: the weights are flattened until enough count.
+void JointEvidence::flatten() {
+  const double wanted = params_.adapt_share * static_cast<double>(weight_.size());
+  double heat = 1.0;
+  while (effective_samples_ < wanted && heat > kLeastHeat) temper(heat *= kCooling);
+}
+
+void JointEvidence::moments(TargetHypothesis& hypothesis) const {
+  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d second = Eigen::Matrix4d::Zero();
+  for (std::size_t i = 0; i < weight_.size(); ++i) {
+    const Eigen::Vector4d d =
+        Eigen::Vector4d(north_[i], east_[i], north_velocity_[i], east_velocity_[i]) - hypothesis.mean;
+    mean += weight_[i] * d;
+    second.noalias() += weight_[i] * d * d.transpose();
+  }
+  hypothesis.mean += mean;
+  hypothesis.covariance = second - mean * mean.transpose();
+}
+
+void JointEvidence::resample(core::Random& random, TargetHypothesis& hypothesis) const {
+  const double step = 1.0 / TargetHypothesis::kSamples;
+  double pointer = step * random.uniform(0.0, 1.0), sum = 0.0;
+  std::size_t i = 0;
+  for (auto& sample : hypothesis.samples) {
+    while (i + 1 < weight_.size() && sum + weight_[i] < pointer) sum += weight_[i++];
+    sample = {north_[i], east_[i], north_velocity_[i], east_velocity_[i]};
+    pointer += step;
+  }
+}
+
+}  // namespace lookout::csht

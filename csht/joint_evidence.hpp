@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "core/random.hpp"
+#include "csht/claim_set.hpp"
+#include "csht/scan_history.hpp"
+#include "csht/sensor_likelihood.hpp"
+#include "csht/trajectory_prior.hpp"
+
+namespace lookout::csht {
+
+/// Adaptive importance sampling of one trajectory.
+struct JointEvidenceParams {
+  int samples = 160;          ///< Per stage, >= 32.
+  int stages = 3;             ///< Stages of a candidate that stays hopeful, >= 1; the last one counts.
+  Tolerance first{1.2, 0.5};  ///< Of the first stage; the last stage has `last`.
+  Tolerance last{1.0, 0.1};
+  double proposal_scale = 1.1;  ///< The proposal's sigma over the estimated one, > 0.
+  double wide_scale = 2.2;      ///< That of the wide part of the proposal, > proposal_scale.
+  double wide_share = 0.125;    ///< Share of samples in the wide part, in (0, 1).
+  double adapt_share = 0.1;     ///< Least share of samples that adapt the proposal, in (0, 1).
+  double hopeless = -8.0;       ///< After its first stage a candidate below these log odds is left [nats].
+};
+
+/// Evidence, mean and covariance of a candidate under the exact likelihood.
+class JointEvidence {
+ public:
+  /// @throws std::invalid_argument showing the value that is out of range.
+  explicit JointEvidence(const JointEvidenceParams& params);
+
+  /// Samples about `hypothesis` (its mean and covariance propose) and writes what is found into it: mean,
+  /// covariance, log odds, samples. Interior births sum over all starts within the window.
+  /// @param stages 1 to re-estimate a candidate whose proposal is known to fit.
+  void evaluate(const ScanHistory& history, int window_scans, const ClaimSet& claims,
+                const TrajectoryPrior& prior, int stages, core::Random& random, TargetHypothesis& hypothesis);
+
+  int stages() const { return params_.stages; }
+  double effective_samples() const { return effective_samples_; }  ///< Of the last stage evaluated.
+
+ private:
+  bool propose(const TargetHypothesis& hypothesis, const ScanTable& newest, double max_speed,
+               core::Random& random);
+  void weigh(const ScanHistory& history, int window, const ClaimSet& claims, const TrajectoryPrior& prior,
+             const Tolerance& tolerance);
+  double log_evidence();
+  double temper(double heat);
+  void flatten();
+  void moments(TargetHypothesis& hypothesis) const;
+  void resample(core::Random& random, TargetHypothesis& hypothesis) const;
+
+  JointEvidenceParams params_;
+  std::vector<Eigen::Vector4d> normal_;  ///< A fixed sequence of low discrepancy, standard normal.
+  std::vector<double> north_, east_, north_velocity_, east_velocity_;
+  std::vector<double> log_proposal_, log_ratio_, weight_;
+  double effective_samples_ = 0.0;
+};
+
+}  // namespace lookout::csht

@@ -1,0 +1,118 @@
+#include "csht/joint_search.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+
+JointSearch::JointSearch(const JointSearchParams& params)
+    : params_(params),
+      prior_(params.prior),
+      seeds_(params.seeds, params.prior.max_speed),
+      clusters_(params.clusters),
+      evidence_(params.evidence) {
+  if (params.pool < 1) throw std::invalid_argument("pool must be >= 1, got " + std::to_string(params.pool));
+  const auto size = static_cast<std::size_t>(params.pool + params.seeds.keep);
+  candidates_.reserve(2 * size);
+  targets_.reserve(size);
+  previous_.reserve(size);
+  fresh_.reserve(size);
+}
+
+std::span<const TargetHypothesis> JointSearch::update(const ScanHistory& history, int window_scans,
+                                                      const ClaimSet& known, core::Random& random) {
+  const int window = std::min(window_scans, history.size());
+  move_to_newest(history);
+  claims_ = known;
+  keep_targets(history, window, random);
+  add_seeds(history, window);
+  choose(history, window, random);
+  estimate_again(history, window, known, random);
+  forget_worst();
+  return targets_;
+}
+
+void JointSearch::clear() {
+  candidates_.clear();
+  targets_.clear();
+}
+
+void JointSearch::move_to_newest(const ScanHistory& history) {
+  const double seconds = core::seconds(history.newest().utime - utime_);
+  utime_ = history.newest().utime;
+  for (auto& candidate : candidates_) advance(seconds, candidate);
+  for (auto& target : targets_) advance(seconds, target);
+}
+
+// The targets of the last scan are weighed first, the surest one first, and claim their beams again.
+void JointSearch::keep_targets(const ScanHistory& history, int window, core::Random& random) {
+  std::swap(previous_, targets_);
+  targets_.clear();
+  for (auto& target : previous_) {
+    evidence_.evaluate(history, window, claims_, prior_, 2, random, target);
+    if (target.log_odds > params_.accept_above) {
+      claims_.claim(history, target.samples, target.existence());
+      targets_.push_back(target);
+    } else {
+      candidates_.push_back(target);
+    }
+  }
+}
+
+void JointSearch::add_seeds(const ScanHistory& history, int window) {
+  seeds_found_ = seeds_.find(history, window, claims_);
+  fresh_.clear();
+  for (const Seed& seed : seeds_found_) {
+    fresh_.emplace_back();
+    fresh_.back().mean = seed.state;
+    fresh_.back().covariance = covariance_of(seed, history);
+  }
+  clusters_.refine(history, window, claims_, prior_, fresh_);
+  clusters_.score(history, window, claims_, prior_, candidates_);
+  candidates_.insert(candidates_.end(), fresh_.begin(), fresh_.end());
+  clusters_.combine_and_delete(candidates_);
+}
+
+// Greedy: the surest candidate becomes a target and takes its beams from the rest, which are weighed again.
+void JointSearch::choose(const ScanHistory& history, int window, core::Random& random) {
+  while (!candidates_.empty()) {
+    clusters_.score(history, window, claims_, prior_, candidates_);
+    auto best = candidates_.end();
+    for (auto candidate = candidates_.begin(); candidate != candidates_.end(); ++candidate) {
+      if (candidate->log_odds < params_.evaluate_above) continue;
+      evidence_.evaluate(history, window, claims_, prior_, evidence_.stages(), random, *candidate);
+      if (best == candidates_.end() || candidate->log_odds > best->log_odds) best = candidate;
+    }
+    if (best == candidates_.end() || best->log_odds < params_.accept_above) return;
+    claims_.claim(history, best->samples, best->existence());
+    targets_.push_back(*best);
+    candidates_.erase(best);
+  }
+}
+
+// Earlier targets were weighed before later ones took their beams: once more, given all others.
+void JointSearch::estimate_again(const ScanHistory& history, int window, const ClaimSet& known,
+                                 core::Random& random) {
+  for (std::size_t k = 0; k < targets_.size(); ++k) {
+    claims_ = known;
+    for (std::size_t j = 0; j < targets_.size(); ++j)
+      if (j != k) claims_.claim(history, targets_[j].samples, targets_[j].existence());
+    evidence_.evaluate(history, window, claims_, prior_, 1, random, targets_[k]);
+  }
+  const auto gone = [this](const TargetHypothesis& t) { return !(t.log_odds > params_.accept_above); };
+  std::copy_if(targets_.begin(), targets_.end(), std::back_inserter(candidates_), gone);
+  std::erase_if(targets_, gone);
+  std::sort(targets_.begin(), targets_.end(),
+            [](const TargetHypothesis& a, const TargetHypothesis& b) { return a.log_odds > b.log_odds; });
+}
+
+void JointSearch::forget_worst() {
+  const auto keep = std::min(candidates_.size(), static_cast<std::size_t>(params_.pool));
+  std::partial_sort(
+      candidates_.begin(), candidates_.begin() + static_cast<std::ptrdiff_t>(keep), candidates_.end(),
+      [](const TargetHypothesis& a, const TargetHypothesis& b) { return a.log_odds > b.log_odds; });
+  candidates_.resize(keep);
+}
+
+}  // namespace lookout::csht

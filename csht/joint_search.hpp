@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/random.hpp"
+#include "csht/joint_clusters.hpp"
+#include "csht/joint_evidence.hpp"
+#include "csht/joint_seeds.hpp"
+
+namespace lookout::csht {
+
+struct JointSearchParams {
+  JointSeedParams seeds;
+  JointClusterParams clusters;
+  JointEvidenceParams evidence;
+  TrajectoryPriorParams prior;
+  int pool = 32;                 ///< Candidates remembered from scan to scan, >= 1.
+  double accept_above = 0.0;     ///< Log odds of existence from which a candidate is a target [nats].
+  double evaluate_above = -9.0;  ///< Laplace log odds from which a candidate is worth sampling [nats].
+};
+
+/// The targets that a window of scans holds beside those already known: seeds, clusters, evidence, and a
+/// choice in which each accepted target takes its beams from the rest. A tracker's birth method as well as
+/// the heart of the `joint` estimator. Remembers candidates between scans; keeps its buffers.
+class JointSearch {
+ public:
+  /// @throws std::invalid_argument showing the value that is out of range.
+  explicit JointSearch(const JointSearchParams& params);
+
+  /// Call once for every scan pushed to `history`.
+  /// @param window_scans scans to look back over, of those that history holds.
+  /// @param known what targets outside this search own; they are not found again.
+  /// @return the targets found, at the newest scan; valid until the next call.
+  std::span<const TargetHypothesis> update(const ScanHistory& history, int window_scans,
+                                           const ClaimSet& known, core::Random& random);
+
+  void clear();  ///< Forgets all candidates.
+
+  std::span<const Seed> seeds() const { return seeds_found_; }  ///< Of the last update.
+  std::span<const TargetHypothesis> candidates() const {
+    return candidates_;
+  }                                                                       ///< Not accepted, last update.
+  std::span<const TargetHypothesis> targets() const { return targets_; }  ///< As the last update returned.
+  const TrajectoryPrior& prior() const { return prior_; }
+
+ private:
+  void move_to_newest(const ScanHistory& history);
+  void keep_targets(const ScanHistory& history, int window, core::Random& random);
+  void add_seeds(const ScanHistory& history, int window);
+  void choose(const ScanHistory& history, int window, core::Random& random);
+  void estimate_again(const ScanHistory& history, int window, const ClaimSet& known, core::Random& random);
+  void forget_worst();
+
+  JointSearchParams params_;
+  TrajectoryPrior prior_;
+  JointSeeds seeds_;
+  JointClusters clusters_;
+  JointEvidence evidence_;
+  std::span<const Seed> seeds_found_;
+  std::vector<TargetHypothesis> candidates_, fresh_, targets_, previous_;
+  ClaimSet claims_;
+  std::int64_t utime_ = 0;
+};
+
+}  // namespace lookout::csht

@@ -1,0 +1,87 @@
+#include "csht/joint_evidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "tests/csht/joint_scenes.hpp"
+
+namespace lookout::csht {
+namespace {
+
+using testing::Course;
+const Course kCourse{{80, 10}, {-1, 2}};
+
+TargetHypothesis start() {
+  TargetHypothesis hypothesis;
+  hypothesis.mean << kCourse.at(9.5), kCourse.velocity;
+  hypothesis.covariance = Eigen::Vector4d(2, 2, 0.04, 0.04).asDiagonal();
+  return hypothesis;
+}
+
+struct Found {
+  TargetHypothesis hypothesis;
+  double effective = 0.0;
+};
+
+Found evaluate(const ScanHistory& history, int samples, double birth_rate, std::uint64_t seed) {
+  ClaimSet claims;
+  claims.clear(history, history.size());
+  JointEvidence evidence({.samples = samples});
+  const TrajectoryPrior prior({.interior_birth_rate = birth_rate, .max_speed = 5.0});
+  core::Random random(seed);
+  Found found{start(), 0.0};
+  evidence.evaluate(history, history.size(), claims, prior, evidence.stages(), random, found.hypothesis);
+  found.effective = evidence.effective_samples();
+  return found;
+}
+
+TEST(JointEvidence, FewSamplesAgreeWithMany) {
+  const auto history =
+      testing::history_of(testing::noisy_scans({kCourse}, 20, 9, 1004), testing::noisy_figures());
+  const Found many = evaluate(history, 20000, 0.0, 1);
+  EXPECT_GT(many.hypothesis.log_odds, 10.0);
+  for (std::uint64_t seed = 2; seed < 8; ++seed) {
+    const Found few = evaluate(history, 160, 0.0, seed);
+    // The error of a log evidence is about 1 / sqrt(effective samples); three of those.
+    EXPECT_NEAR(few.hypothesis.log_odds, many.hypothesis.log_odds, 3.0 / std::sqrt(few.effective));
+  }
+}
+
+// One silent scan, and a cloud of hypotheses in view: the evidence is P_M / (1 - P_F) times the prior mass
+// of the cloud, the integral of a constant, which the sum over samples must return.
+TEST(JointEvidence, IntegratesAConstant) {
+  const auto history = testing::history_of(testing::scans_of({}, 1), testing::noisy_figures());
+  JointEvidence evidence({.samples = 4000, .stages = 1});
+  const TrajectoryPrior prior({.interior_birth_rate = 0.0, .max_speed = 5.0});
+  ClaimSet claims;
+  claims.clear(history, 1);
+  core::Random random(3);
+  TargetHypothesis hypothesis;
+  hypothesis.mean << 80.0, 0.0, 0.0, 0.0;
+  hypothesis.covariance = Eigen::Vector4d(900.0, 900.0, 6.0, 6.0).asDiagonal();
+  evidence.evaluate(history, 1, claims, prior, 1, random, hypothesis);
+  // All of the prior lies within a few sigma of this proposal: two targets per view, each 0.1 / 0.9.
+  EXPECT_NEAR(std::exp(hypothesis.log_odds), 2.0 * 0.1 / 0.9, 0.02);
+}
+
+TEST(JointEvidence, ATargetThatCameLateHasItsEvidenceByBirths) {
+  auto scans = testing::scans_of({kCourse}, 20);
+  for (std::size_t k = 0; k < 8; ++k) scans[k].scan.returns.clear();
+  const auto history = testing::history_of(scans, testing::noisy_figures());
+  const double without = evaluate(history, 400, 0.0, 1).hypothesis.log_odds;
+  const double with = evaluate(history, 400, 0.001, 1).hypothesis.log_odds;
+  // Eight silences cost 8 ln(0.1 / 0.9) = -17.6; a birth costs ln(0.001 / 2) = -7.6.
+  EXPECT_NEAR(with - without, 17.6 - 7.6, 0.6);
+}
+
+TEST(JointEvidence, RefusesNonsense) {
+  EXPECT_THROW(JointEvidence({.samples = 4}), std::invalid_argument);
+  EXPECT_THROW(JointEvidence({.stages = 0}), std::invalid_argument);
+  EXPECT_THROW(JointEvidence({.proposal_scale = 3.0, .wide_scale = 2.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::csht

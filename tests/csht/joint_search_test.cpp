@@ -1,0 +1,61 @@
+#include "csht/joint_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/csht/joint_scenes.hpp"
+
+namespace lookout::csht {
+namespace {
+
+using testing::Course;
+
+const std::vector<Course> kCourses{{{80, 10}, {-1, 2}}, {{60, -30}, {2, 1}}};
+
+JointSearchParams search_params() {
+  JointSearchParams params;
+  params.prior.max_speed = 5.0;
+  return params;
+}
+
+std::vector<TargetHypothesis> search(const std::vector<core::PosedScan>& scans,
+                                     const TargetHypothesis* known = nullptr) {
+  ScanHistory history(testing::noisy_figures(), {}, 20);
+  JointSearch search(search_params());
+  core::Random random(1);
+  std::vector<TargetHypothesis> found;
+  for (const auto& scan : scans) {
+    history.push(scan);
+    ClaimSet claims;
+    claims.clear(history, 20);
+    if (known != nullptr) {
+      TargetHypothesis target = *known;
+      advance(core::seconds(scan.scan.utime), target);
+      claims.claim(history, std::array{target.mean}, 1.0);
+    }
+    const auto targets = search.update(history, 20, claims, random);
+    found.assign(targets.begin(), targets.end());
+  }
+  return found;
+}
+
+TEST(JointSearch, FindsAllTargets) {
+  const auto found = search(testing::noisy_scans(kCourses, 20, 9, 1005));
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_GT(found[0].existence(), 0.99);
+}
+
+// As a birth method: what a track explains is not found again.
+TEST(JointSearch, LeavesOutWhatIsKnown) {
+  TargetHypothesis known;
+  known.mean << kCourses[0].position, kCourses[0].velocity;
+  const auto found = search(testing::noisy_scans(kCourses, 20, 9, 1005), &known);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_LT((found[0].mean.head<2>() - kCourses[1].at(9.5)).norm(), 6.0);
+}
+
+TEST(JointSearch, FindsNothingInClutter) {
+  EXPECT_TRUE(search(testing::noisy_scans({}, 40, 9, 1006)).empty());
+}
+
+}  // namespace
+}  // namespace lookout::csht
