@@ -35,6 +35,10 @@ int experiment_command(const Options& options) {
   if (options.method.empty()) throw core::InputError("experiment: NAME is missing; `--list` shows the names");
   if (options.out.empty()) throw core::InputError("experiment: --out DIR is missing");
   const auto experiment = make_experiment(options.method);
+  if (const std::string missing = experiment->missing_input(); !missing.empty()) {
+    log_warning(options.method + " skipped: " + missing);
+    return 0;
+  }
   make_directory(options.out);
   const ExperimentResults results =
       run_monte_carlo(*experiment, options.method, monte_carlo_options(options));

@@ -61,6 +61,10 @@ class Experiment {
   virtual std::string scenario() const = 0;  ///< The scene file or generator, named in the report.
   virtual std::vector<Cell> cells() const = 0;
 
+  /// What the experiment needs and does not find, in one line; empty: nothing. The command then says so and
+  /// does nothing.
+  virtual std::string missing_input() const { return {}; }
+
   /// One run of one cell. Called from several threads at once: no shared state; every draw derives from
   /// (seed, run), so that all methods of a run see the same scans.
   virtual Metrics run(const Cell& cell, std::uint64_t seed, int run) const = 0;

@@ -5,6 +5,7 @@
 #include "core/input_error.hpp"
 #include "tools/experiments/csht_tracking.hpp"
 #include "tools/experiments/csht_window.hpp"
+#include "tools/experiments/recordings.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 const std::array kExperiments{
     ExperimentEntry{"csht-window", make_csht_window},
     ExperimentEntry{"csht-tracking", make_csht_tracking},
+    ExperimentEntry{"recordings", make_recordings},
 };
 
 }  // namespace
