@@ -69,6 +69,10 @@ void JointLikelihood::forget_claims(int owner, int age) {
   std::erase_if(claims_at(age), [owner](const Claim& c) { return c.owner == owner; });
 }
 
+void JointLikelihood::forget_past_claims(int owner) {
+  for (int age = 1; age < scans_.size(); ++age) forget_claims(owner, age);
+}
+
 const csht::BeamMask* JointLikelihood::mask(int age, int self, int beam) {
   const csht::ScanTable& scan = scans_.at_age(age);
   const bool points = scan.clutter == csht::ClutterModel::point;
@@ -83,9 +87,16 @@ const csht::BeamMask* JointLikelihood::mask(int age, int self, int beam) {
     if (points)
       csht::claim_detection(static_cast<std::size_t>(claim.index), share, mask_);
     else
-      csht::claim_beam(scan, claim.index, static_cast<double>(claim.range), share, mask_);
+      claim_beam(scan, claim, share);
   }
   return any ? &mask_ : nullptr;
+}
+
+// An echo that does not fit the owner of its beam is no proof of another target: the owner may be next door.
+void JointLikelihood::claim_beam(const csht::ScanTable& scan, const Claim& claim, double share) {
+  csht::claim_beam(scan, claim.index, static_cast<double>(claim.range), share, mask_);
+  float& nearer = mask_.nearer[static_cast<std::size_t>(claim.index) + 1];
+  nearer = std::min(nearer, 1.0F);
 }
 
 double JointLikelihood::explained(int age, int index, double range) const {

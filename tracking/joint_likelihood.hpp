@@ -48,6 +48,7 @@ class JointLikelihood {
   void add_claim(int age, const Claim& claim);
   void forget_claims(int owner);
   void forget_claims(int owner, int age);
+  void forget_past_claims(int owner);  ///< Those on all scans but the newest.
 
   /// Adds to `log_ratio[i]` what the scans of these ages say of trajectory i, the claims of all but `self`
   /// left out.
@@ -68,6 +69,7 @@ class JointLikelihood {
   std::vector<Claim>& claims_at(int age);
   const std::vector<Claim>& claims_at(int age) const;
   std::size_t ring_index(int age) const;
+  void claim_beam(const csht::ScanTable& scan, const Claim& claim, double share);
   void add_scan(const JointCloud& cloud, int age, const csht::BeamMask* mask, std::span<double> log_ratio);
 
   csht::Tolerance tolerance_;

@@ -14,6 +14,7 @@ struct JointTrack {
   JointCloud cloud;
   CloudMoments moments;         ///< Of the cloud.
   double log_odds = 0.0;        ///< Of existence.
+  double log_density = 0.0;     ///< ln of the prior density it was born with.
   double visible_share = 1.0;   ///< Probability that it is in the field of view, if it exists.
   double echo_share = 0.0;      ///< Probability that the newest scan holds an echo of it, if it exists.
   std::int64_t first_scan = 0;  ///< Number of the scan since which its likelihood counts.
@@ -23,7 +24,8 @@ struct JointTrack {
   bool out_of_view = false;
   bool reported = false;  ///< Part of the newest report.
   bool confirmed_once = false;
-  bool claims_filled = false;     ///< Its claims on the scans before the newest are noted.
+  bool has_claims = false;        ///< On scans before the newest.
+  bool claims_filled = false;     ///< They are those of the present cloud.
   std::vector<double> log_ratio;  ///< Of the newest scan, trajectory by trajectory.
 
   double existence() const;

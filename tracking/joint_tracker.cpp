@@ -18,8 +18,12 @@ constexpr double kPublishedTentative = 0.05;  // Existence from which a tentativ
 constexpr double kSeedReach = 30.0;  // Seeds farther than this from a track are not compared with it [m].
 constexpr double kSameTarget = 9.0;  // Squared Mahalanobis distance, 4 degrees of freedom.
 constexpr double kBetterSeed = 2.0;  // Nats by which a seed must beat a tentative track to replace it.
-constexpr double kLeastNats = 0.05;  // Of information a scan.
-constexpr double kBirthNats = 11.0;  // Evidence that a new target needs. csht_limits, idea 8.
+constexpr double kEnoughEffective = 50.0;  // Trajectories that carry a cloud that is as good as it gets.
+constexpr double kSettledLogOdds = 4.0;    // Existence above which a track's odds are only updated.
+constexpr double kTrustedShare = 0.08;     // Effective share of a cloud whose evidence is trusted.
+constexpr std::size_t kPastStride = 8;     // Of a cloud's trajectories, for its claims on past scans.
+constexpr double kLeastNats = 0.05;        // Of information a scan.
+constexpr double kBirthNats = 11.0;        // Evidence that a new target needs. csht_limits, idea 8.
 
 int scans_in(double seconds, double period) {
   return static_cast<int>(std::ceil(seconds / period));
@@ -119,7 +123,7 @@ void JointTracker::claim_provisionally() {
     std::swap(fresh_, track.cloud);
     track.cloud = fresh_;
     track.cloud.reweigh(track.log_ratio);
-    observe(slot, 0, true);
+    observe(slot, 0, true, 1);
     std::swap(fresh_, track.cloud);
   }
 }
@@ -145,7 +149,7 @@ void JointTracker::update_track(std::size_t slot) {
   track.moments = track.cloud.moments();
   likelihood_.forget_claims(self, 0);
   const bool claims = track.existence() >= JointLikelihood::kLeastExistence;
-  observe(slot, 0, claims);
+  observe(slot, 0, claims, 1);
   if (claims && !track.claims_filled) fill_past_claims(slot);
 }
 
@@ -171,12 +175,18 @@ void JointTracker::refresh(std::size_t slot) {
   task.rounds = params_.cloud.refresh_rounds;
   task.curved = track.cloud.curved;
   const SamplingResult result = sampler_.sample(task, likelihood_, random_, fresh_);
-  if (result.effective_share * static_cast<double>(task.samples) > track.cloud.effective_size())
-    std::swap(track.cloud, fresh_);
+  const double effective = result.effective_share * static_cast<double>(task.samples);
+  if (effective <= std::min(track.cloud.effective_size(), kEnoughEffective)) return;
+  std::swap(track.cloud, fresh_);
+  track.claims_filled = false;
+  // Odds that were picked as the best of many are too high; drawn again they are not. csht_limits, idea 3.
+  const bool whole_life = task.ages.oldest == likelihood_.scans().pushed() - 1 - track.first_scan;
+  if (whole_life && track.log_odds < kSettledLogOdds && result.effective_share > kTrustedShare)
+    track.log_odds = std::min(result.log_evidence + track.log_density, kSettledLogOdds);
 }
 
 // Notes in which beams the track is, whether it is in view and whether an echo may be its own.
-void JointTracker::observe(std::size_t slot, int age, bool claim) {
+void JointTracker::observe(std::size_t slot, int age, bool claim, std::size_t stride) {
   JointTrack& track = tracks_[slot];
   const csht::ScanTable& scan = likelihood_.scans().at_age(age);
   const double seconds = likelihood_.scans().seconds_at_age(age);
@@ -186,13 +196,15 @@ void JointTracker::observe(std::size_t slot, int age, bool claim) {
   beams_touched_.clear();
   double visible = 0.0;
   double echo = 0.0;
+  double total = 0.0;
   const JointCloud& cloud = track.cloud;
   const double half_square = 0.5 * seconds * seconds;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
+  for (std::size_t i = 0; i < cloud.size(); i += stride) {
     const double north =
         cloud.north[i] + seconds * cloud.north_velocity[i] + half_square * cloud.north_acceleration[i];
     const double east =
         cloud.east[i] + seconds * cloud.east_velocity[i] + half_square * cloud.east_acceleration[i];
+    total += cloud.weight[i];
     const int beam = beam_at(scan, north, east);
     const double range = std::hypot(north - scan.T_earth_sonar.north, east - scan.T_earth_sonar.east);
     if (beam < 0 || beam >= scan.num_beams || range > scan.max_range) continue;
@@ -205,15 +217,15 @@ void JointTracker::observe(std::size_t slot, int age, bool claim) {
     if (std::abs(heard - range) < gate) echo += cloud.weight[i];
   }
   if (age == 0) {
-    track.visible_share = visible;
-    track.echo_share = echo;
+    track.visible_share = visible / total;
+    track.echo_share = echo / total;
   }
   for (const int beam : beams_touched_) {
     const auto b = static_cast<std::size_t>(beam);
-    if (claim && beam_share_[b] > kLeastShare && scan.clutter != csht::ClutterModel::point)
+    if (claim && beam_share_[b] > kLeastShare * total && scan.clutter != csht::ClutterModel::point)
       likelihood_.add_claim(
           age, {static_cast<int>(slot), beam, static_cast<float>(beam_range_[b] / beam_share_[b]),
-                static_cast<float>(beam_share_[b])});
+                static_cast<float>(beam_share_[b] / total)});
     beam_share_[b] = 0.0;
     beam_range_[b] = 0.0;
   }
@@ -260,8 +272,9 @@ void JointTracker::observe_point(std::size_t slot, int age) {
 
 void JointTracker::fill_past_claims(std::size_t slot) {
   JointTrack& track = tracks_[slot];
-  track.claims_filled = true;
-  for (int age = 1; age <= memory_of(track).oldest; ++age) observe(slot, age, true);
+  if (track.has_claims) likelihood_.forget_past_claims(static_cast<int>(slot));
+  track.claims_filled = track.has_claims = true;
+  for (int age = 1; age <= memory_of(track).oldest; ++age) observe(slot, age, true, kPastStride);
 }
 
 // Of two tracks that are on one target the less probable ends.
@@ -306,9 +319,13 @@ bool JointTracker::begin_track(const BirthSeed& seed) {
   task.samples = params_.birth.samples;
   task.rounds = params_.birth.rounds;
   task.give_up_below = params_.life.tentative_log_odds - params_.birth.hopeless - seed.log_density;
+  if (sampler_.sample(task, likelihood_, random_, fresh_).log_evidence < task.give_up_below) return false;
+  // Of many seeds the luckiest estimates stand out: once more, with trajectories that nothing was chosen by.
+  task.guess = fresh_.moments();
+  task.samples = params_.cloud.trajectories;
   const SamplingResult result = sampler_.sample(task, likelihood_, random_, fresh_);
   const double log_odds = result.log_evidence + seed.log_density;
-  if (log_odds < params_.life.tentative_log_odds) return false;
+  if (log_odds < params_.life.tentative_log_odds || result.effective_share < kTrustedShare) return false;
   const std::size_t slot = free_slot();
   if (slot >= static_cast<std::size_t>(params_.life.max_tracks)) return false;
   const csht::ScanHistory& scans = likelihood_.scans();
@@ -317,14 +334,15 @@ bool JointTracker::begin_track(const BirthSeed& seed) {
   track.id = ++last_id_;
   std::swap(track.cloud, fresh_);
   track.moments = track.cloud.moments();
-  track.log_odds = log_odds;
+  track.log_odds = std::min(log_odds, kSettledLogOdds);
+  track.log_density = seed.log_density;
   track.first_scan = scans.pushed() - 1 - seed.ages.oldest;
   track.first_utime = scans.at_age(seed.ages.oldest).utime;
   track.last_detection_utime = scans.newest().utime;
-  track.out_of_view = track.reported = track.confirmed_once = track.claims_filled = false;
+  track.out_of_view = track.reported = track.confirmed_once = track.claims_filled = track.has_claims = false;
   likelihood_.set_existence(static_cast<int>(slot), track.existence());
   const bool claims = track.existence() >= JointLikelihood::kLeastExistence;
-  observe(slot, 0, claims);
+  observe(slot, 0, claims, 1);
   if (claims) fill_past_claims(slot);
   return true;
 }
@@ -363,7 +381,7 @@ bool JointTracker::life_over(const JointTrack& track) const {
 void JointTracker::end(std::size_t slot) {
   tracks_[slot].used = false;
   likelihood_.set_existence(static_cast<int>(slot), 0.0);
-  if (tracks_[slot].claims_filled) likelihood_.forget_claims(static_cast<int>(slot));
+  likelihood_.forget_claims(static_cast<int>(slot));
 }
 
 // Mean number of targets in view that no track stands for: those of the prior, found at the rate at which

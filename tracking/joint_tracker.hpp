@@ -34,7 +34,7 @@ class JointTracker : public Tracker {
   void update_tracks();
   void update_track(std::size_t slot);
   void refresh(std::size_t slot);
-  void observe(std::size_t slot, int age, bool claim);
+  void observe(std::size_t slot, int age, bool claim, std::size_t stride);
   void observe_point(std::size_t slot, int age);
   void fill_past_claims(std::size_t slot);
   void end_twins();
