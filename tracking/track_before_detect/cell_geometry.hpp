@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/sonar_image.hpp"
+
+namespace lookout::tracking {
+
+/// Where a position lies in the image: x along columns, y along rows, cell centres at .5.
+struct CellView {
+  Eigen::Vector2d cell{0, 0};
+  Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();  ///< d cell / d position.
+  bool inside = false;
+};
+
+/// How positions map to cells of the image at hand.
+class CellGeometry {
+ public:
+  virtual ~CellGeometry() = default;
+  virtual CellView observe(const Eigen::Vector2d& position) const = 0;
+  virtual Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const = 0;
+};
+
+/// Columns are range bins, rows are beams, positions are north, east [m]; the sonar's own pose is part of it.
+class SonarCellGeometry : public CellGeometry {
+ public:
+  explicit SonarCellGeometry(const core::PosedImage& posed);
+  CellView observe(const Eigen::Vector2d& p_earth) const override;
+  Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const override;
+
+ private:
+  core::Pose2 T_earth_sonar_;
+  double first_bearing_, bearing_step_, first_range_, range_step_;
+  int num_beams_, num_bins_;
+};
+
+/// Positions are pixels.
+class PixelGeometry : public CellGeometry {
+ public:
+  PixelGeometry(int columns, int rows) : columns_(columns), rows_(rows) {}
+  CellView observe(const Eigen::Vector2d& position) const override;
+  Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const override { return cell; }
+
+ private:
+  int columns_, rows_;
+};
+
+}  // namespace lookout::tracking
