@@ -50,6 +50,10 @@ void write_vote_matrices(const core::Recording& recording, const core::SonarPara
   if (!any)
     throw core::InputError("--votes-at: no scan with a pose by " + core::shortest(core::seconds(utime)) +
                            " s");
+  write_vote_matrices(estimator, directory);
+}
+
+void write_vote_matrices(const csht::CshtEstimator& estimator, const std::string& directory) {
   write_votes(estimator, directory + "/votes.csv");
   write_classes(estimator, directory + "/classes.csv");
 }

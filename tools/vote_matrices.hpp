@@ -5,6 +5,10 @@
 
 #include "core/recording.hpp"
 
+namespace lookout::csht {
+class CshtEstimator;
+}
+
 namespace lookout::tools {
 
 /// Writes the vote matrices of the faithful estimator for the window that ends with the last scan at or
@@ -14,5 +18,8 @@ namespace lookout::tools {
 /// @throws core::InputError where there is no scan with a pose by then.
 void write_vote_matrices(const core::Recording& recording, const core::SonarParams& sensor,
                          std::int64_t utime, const std::string& directory);
+
+/// The same of an estimator that keeps snapshots, for its last window.
+void write_vote_matrices(const csht::CshtEstimator& estimator, const std::string& directory);
 
 }  // namespace lookout::tools

@@ -4,11 +4,16 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/csv.hpp"
+#include "core/recording.hpp"
+#include "csht/csht_estimator.hpp"
 #include "csht/estimator_registry.hpp"
+#include "csht/scan_to_detections.hpp"
 #include "sonar_sim/scene.hpp"
 #include "tools/experiments/least_squares_reference.hpp"
 #include "tools/experiments/paper_figures.hpp"
 #include "tools/experiments/simulated_run.hpp"
+#include "tools/vote_matrices.hpp"
 #include "tracking/metrics/ospa.hpp"
 
 namespace lookout::tools {
@@ -61,6 +66,7 @@ class CshtWindow : public Experiment {
   std::string plot_script() const override { return "plot_window.py"; }
   std::vector<Cell> cells() const override;
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
+  void write_extras(std::uint64_t seed, const std::string& directory) const override;
 };
 
 std::vector<Cell> CshtWindow::cells() const {
@@ -145,6 +151,40 @@ Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
   metrics["over_bound"] = metrics["position_ospa"].value - metrics["bound"].value;
   metrics["time_ms"] = answer.time_ms;
   return metrics;
+}
+
+void write_echoes(const std::vector<TimedScan>& scans, const std::string& path) {
+  core::CsvWriter csv(path, "time_s,north_m,east_m");
+  std::vector<core::Detection> detections;
+  for (const auto& timed : scans) {
+    csht::scan_to_detections(timed.posed, 0, detections);
+    for (const auto& echo : detections)
+      csv.number(core::seconds(echo.utime)).number(echo.p_earth.x()).number(echo.p_earth.y()).end_row();
+  }
+  csv.close();
+}
+
+/// The first window of the middle cell: echoes, truth, what each method makes of it, and the vote matrices.
+void CshtWindow::write_extras(std::uint64_t seed, const std::string& directory) const {
+  const auto scene = load_variant(kScene, {0.3, 0.3, 3.0, sonar_sim::ClutterReading::light});
+  const auto scans = simulate(scene, seed, 0);
+  const auto sonar = sonar_sim::known_params(scene, scene.platforms.front());
+  write_echoes(scans, directory + "/window_echoes.csv");
+  std::vector<core::GroundTruth> truth;
+  for (const auto& timed : scans) truth.push_back(timed.truth);
+  core::write_truth(directory + "/window_truth.csv", truth);
+  csht::CshtEstimator drawn(csht::CshtParams::window(), sonar);
+  drawn.keep_snapshots();
+  estimate(drawn, scans);
+  write_vote_matrices(drawn, directory);
+  for (const char* method : {"csht", "csht_printed", "sht"}) {
+    csht::EstimatorParams params;
+    params.use = csht::EstimatorUse::window;
+    const auto estimator = csht::make_estimator(method, params, sonar, seed);
+    const Answer answer = estimate(*estimator, scans);
+    core::write_elements(directory + "/window_" + method + ".csv",
+                         {{scans.back().posed.scan.utime, answer.elements}});
+  }
 }
 
 }  // namespace
