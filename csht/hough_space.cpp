@@ -5,6 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace lookout::csht {
 namespace {
@@ -30,21 +31,42 @@ VoteKernel make_kernel(const HoughGrid& grid, const VoteParams& params, double m
                               std::max(min_width, params.width * max_sigma) / grid.intercept_step);
 }
 
-/// Adds `sign` x the footprint; whole vectors at a time.
-void accumulate(std::int16_t* __restrict cells, const std::int16_t* __restrict values, int length, int sign) {
-  const auto factor = static_cast<std::int16_t>(sign);
-  for (int k = 0; k < length; ++k)
-    cells[k] = static_cast<std::int16_t>(cells[k] + static_cast<std::int16_t>(factor * values[k]));
+constexpr int kLanes = VoteKernel::kLanes;
+
+/// The largest whole number at or below `value`, for |value| < 2^36; std::floor is a call here.
+std::int64_t round_down(double value) {
+  constexpr std::int64_t kOffset = std::int64_t{1} << 36;
+  return static_cast<std::int64_t>(value + static_cast<double>(kOffset)) - kOffset;
 }
 
-void raise(std::int16_t* __restrict cells, const std::int16_t* __restrict values, int length) {
-  for (int k = 0; k < length; ++k) cells[k] = std::max(cells[k], values[k]);
+/// Calls `block(first, k)` for the kLanes cells from `first` on that take the values from k on, or `cell` one
+/// by one where the footprint crosses the ring's seam.
+template <typename Block, typename Cell>
+void over_cells(int column, int length, int columns, Block block, Cell cell) {
+  if (column + length <= columns) {
+    for (int k = 0; k < length; k += kLanes) block(column + k, k);
+  } else {
+    for (int k = 0; k < length; ++k) cell((column + k) & (columns - 1), k);
+  }
+}
+
+void add_to(std::int16_t& cell, int votes) {
+  cell = static_cast<std::int16_t>(cell + votes);
+}
+
+void add_block(std::int16_t* __restrict cells, const std::int16_t* __restrict values, std::int16_t sign) {
+  for (int k = 0; k < kLanes; ++k)
+    cells[k] = static_cast<std::int16_t>(cells[k] + static_cast<std::int16_t>(sign * values[k]));
+}
+
+void raise_block(std::int16_t* __restrict cells, const std::int16_t* __restrict values) {
+  for (int k = 0; k < kLanes; ++k) cells[k] = std::max(cells[k], values[k]);
 }
 
 /// Moves the layer's votes to the matrix; cells visited again have none left.
-void transfer(std::int16_t* __restrict cells, std::int16_t* __restrict layer, int length, int sign) {
-  accumulate(cells, layer, length, sign);
-  std::fill_n(layer, length, std::int16_t{0});
+void transfer_block(std::int16_t* __restrict cells, std::int16_t* __restrict layer, std::int16_t sign) {
+  add_block(cells, layer, sign);
+  std::fill_n(layer, kLanes, std::int16_t{0});
 }
 
 }  // namespace
@@ -86,36 +108,41 @@ void HoughSpace::vote_scan(std::span<const LineSample> samples, int sign) {
                        grid_.velocity_step * sample.time * phases_per_metre, kernel_.width_index(width)});
   }
   for (int row = 0; row < rows_; ++row) {
-    std::int16_t* const votes = votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
-    std::int16_t* const layer = layer_.data();
-    if (voters_.size() == 1) {
-      over_footprint(voters_.front(), row, [&](int column, const std::int16_t* values, int length) {
-        accumulate(votes + column, values, length, sign);
-      });
-      continue;
-    }
-    for (const auto& voter : voters_)
-      over_footprint(voter, row, [&](int column, const std::int16_t* values, int length) {
-        raise(layer + column, values, length);
-      });
-    for (const auto& voter : voters_)
-      over_footprint(voter, row, [&](int column, const std::int16_t*, int length) {
-        transfer(votes + column, layer + column, length, sign);
-      });
+    places_.clear();
+    for (const auto& voter : voters_) places_.push_back(place_of(voter, row));
+    vote_row(votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_, static_cast<std::int16_t>(sign));
   }
 }
 
-/// Calls `operation(column, values, length)` for the footprint, twice where it crosses the ring's seam.
-template <typename Operation>
-void HoughSpace::over_footprint(const Voter& voter, int row, Operation operation) {
-  const auto position = static_cast<std::int64_t>(std::floor(voter.intercept - row * voter.step));
+/// One scan's votes in one row: straight in where the scan has a single sample, else the maximum first.
+void HoughSpace::vote_row(std::int16_t* votes, std::int16_t sign) {
+  if (places_.size() == 1) {
+    const Place& place = places_.front();
+    over_cells(
+        place.column, place.length, columns_,
+        [&](int first, int k) { add_block(votes + first, place.values + k, sign); },
+        [&](int cell, int k) { add_to(votes[cell], sign * place.values[k]); });
+    return;
+  }
+  std::int16_t* const layer = layer_.data();
+  for (const Place& place : places_)
+    over_cells(
+        place.column, place.length, columns_,
+        [&](int first, int k) { raise_block(layer + first, place.values + k); },
+        [&](int cell, int k) { layer[cell] = std::max(layer[cell], place.values[k]); });
+  for (const Place& place : places_)
+    over_cells(
+        place.column, place.length, columns_,
+        [&](int first, int) { transfer_block(votes + first, layer + first, sign); },
+        [&](int cell, int) { add_to(votes[cell], sign * std::exchange(layer[cell], std::int16_t{0})); });
+}
+
+HoughSpace::Place HoughSpace::place_of(const Voter& voter, int row) const {
+  const std::int64_t position = round_down(voter.intercept - row * voter.step);
   const Footprint footprint = kernel_.at(voter.width, static_cast<int>(position & (VoteKernel::kPhases - 1)));
-  const std::int64_t cell = position / VoteKernel::kPhases - (position % VoteKernel::kPhases < 0 ? 1 : 0);
-  const int column = static_cast<int>((cell + footprint.first) & (columns_ - 1));
-  const int length = static_cast<int>(footprint.values.size());
-  const int before_seam = std::min(length, columns_ - column);
-  operation(column, footprint.values.data(), before_seam);
-  if (before_seam < length) operation(0, footprint.values.data() + before_seam, length - before_seam);
+  const std::int64_t cell = position >> std::countr_zero(static_cast<unsigned>(VoteKernel::kPhases));
+  return {footprint.values.data(), static_cast<int>((cell + footprint.first) & (columns_ - 1)),
+          static_cast<int>(footprint.values.size())};
 }
 
 VoteStatistics HoughSpace::statistics() const {

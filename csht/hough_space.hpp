@@ -73,11 +73,17 @@ class HoughSpace {
     double step = 0.0;       ///< From row to row [1/kPhases of a cell].
     int width = 0;           ///< Index in the kernel.
   };
+  /// Where a voter's footprint lies in the row at hand.
+  struct Place {
+    const std::int16_t* values = nullptr;
+    int column = 0;
+    int length = 0;  ///< A whole number of VoteKernel::kLanes.
+  };
 
   void vote(std::span<const LineSample> samples, int sign);
   void vote_scan(std::span<const LineSample> samples, int sign);
-  template <typename Operation>
-  void over_footprint(const Voter& voter, int row, Operation operation);
+  void vote_row(std::int16_t* votes, std::int16_t sign);
+  Place place_of(const Voter& voter, int row) const;
 
   HoughGrid grid_;
   VoteParams params_;
@@ -89,6 +95,7 @@ class HoughSpace {
   std::vector<std::int16_t> votes_;  ///< rows_ x columns_.
   std::vector<std::int16_t> layer_;  ///< One row of one scan.
   std::vector<Voter> voters_;
+  std::vector<Place> places_;
 };
 
 }  // namespace lookout::csht

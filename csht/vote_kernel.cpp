@@ -60,10 +60,4 @@ int VoteKernel::width_index(double width) const {
   return std::max(0, static_cast<int>(above - widths_.begin()) - 1);
 }
 
-Footprint VoteKernel::at(int width_index, int phase) const {
-  const Width& width = widths_[static_cast<std::size_t>(width_index)];
-  const std::size_t start = width.offset + static_cast<std::size_t>(phase * width.length);
-  return {width.first, std::span(values_).subspan(start, static_cast<std::size_t>(width.length))};
-}
-
 }  // namespace lookout::csht

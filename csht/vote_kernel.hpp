@@ -28,7 +28,11 @@ class VoteKernel {
   static constexpr int kLanes = 8;
 
   int width_index(double width) const;  ///< Of the nearest width below or at `width` [cells]; clamped.
-  Footprint at(int width_index, int phase) const;
+  Footprint at(int width_index, int phase) const {
+    const Width& width = widths_[static_cast<std::size_t>(width_index)];
+    const std::size_t start = width.offset + static_cast<std::size_t>(phase * width.length);
+    return {width.first, {values_.data() + start, static_cast<std::size_t>(width.length)}};
+  }
   int max_length() const { return max_length_; }
 
  private:
