@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -14,8 +13,14 @@ constexpr int kBlock = WeightedPoints::kBlock;
 /// neighbour one step away gets a share of a millionth.
 constexpr float kOnCentre = 1e-6F;
 
-double sum_of(const float* lanes) {
-  return std::accumulate(lanes, lanes + kBlock, 0.0);
+using Lanes = Eigen::Array<float, kBlock, 1>;
+
+Eigen::Map<const Lanes> block_of(const float* values) {
+  return Eigen::Map<const Lanes>(values);
+}
+
+double sum_of(const Lanes& lanes) {
+  return lanes.cast<double>().sum();
 }
 
 }  // namespace
@@ -53,64 +58,67 @@ FeaturePoint WeightedPoints::mean() const {
   return {static_cast<float>(x / total_weight_), static_cast<float>(y / total_weight_)};
 }
 
-FuzzyPartition::FuzzyPartition(double exponent) : exponent_(exponent) {
+FuzzyPartition::FuzzyPartition(double exponent) : exponent_(exponent), squares_(exponent == 2.0) {
   if (!(exponent > 1.0)) throw std::invalid_argument("exponent must be > 1, got " + std::to_string(exponent));
 }
 
-// [Yan2018] Eq. (22) for the points of one block: mu = d^(-2/(m-1)) / sum over the centres of the same.
-void FuzzyPartition::memberships(const WeightedPoints& points, int block,
-                                 std::span<const FeaturePoint> centres) {
-  const float* const x = points.x(block);
-  const float* const y = points.y(block);
-  float total[kBlock] = {};
-  const auto power = static_cast<float>(1.0 / (exponent_ - 1.0));
+// [Yan2018] Eq. (22) for the points of one block, mu_i = a_i / sum a with a = d^(-2/(m-1)): the affinities a
+// go to the lanes, 1 / sum a to `scale_`.
+void FuzzyPartition::affinities(const WeightedPoints& points, int block,
+                                std::span<const FeaturePoint> centres) {
+  const auto x = block_of(points.x(block)), y = block_of(points.y(block));
+  scale_.setZero();
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    float* const mu = lane(i);
-    for (int k = 0; k < kBlock; ++k) {
-      const float dx = x[k] - centres[i].x, dy = y[k] - centres[i].y;
-      mu[k] = 1.0F / (dx * dx + dy * dy + kOnCentre);
-    }
-    if (exponent_ != 2.0)
-      for (int k = 0; k < kBlock; ++k) mu[k] = std::pow(mu[k], power);
-    for (int k = 0; k < kBlock; ++k) total[k] += mu[k];
+    Lanes& a = affinity_[i];
+    a = ((x - centres[i].x).square() + (y - centres[i].y).square() + kOnCentre).inverse();
+    if (!squares_) a = a.pow(static_cast<float>(1.0 / (exponent_ - 1.0)));
+    scale_ += a;
   }
-  for (float& value : total) value = 1.0F / value;
-  for (std::size_t i = 0; i < centres.size(); ++i) {
-    float* const mu = lane(i);
-    for (int k = 0; k < kBlock; ++k) mu[k] *= total[k];
+  scale_ = scale_.inverse();
+}
+
+/// values^m, in place.
+void FuzzyPartition::raise(Lanes& values) const {
+  if (squares_) {
+    values = values.square();
+  } else {
+    values = values.pow(static_cast<float>(exponent_));
   }
 }
 
 // [Yan2018] Eq. (23): Z_i = sum mu^m x / sum mu^m.
 float FuzzyPartition::update(const WeightedPoints& points, std::span<FeaturePoint> centres) {
   constexpr std::size_t kSums = 3;
-  membership_.resize(centres.size() * kBlock);
-  sums_.assign(centres.size() * kSums * kBlock, 0.0F);
+  affinity_.resize(centres.size());
+  sums_.assign(centres.size() * kSums, Lanes::Zero());
   for (int block = 0; block < points.num_blocks(); ++block) {
-    memberships(points, block, centres);
-    const float* const weight = points.weight(block);
+    const auto x = block_of(points.x(block)), y = block_of(points.y(block));
+    affinities(points, block, centres);
+    raise(scale_);
+    scale_ *= block_of(points.weight(block));
     for (std::size_t i = 0; i < centres.size(); ++i) {
-      float* const mu = lane(i);
-      if (exponent_ == 2.0) {
-        for (int k = 0; k < kBlock; ++k) mu[k] *= mu[k] * weight[k];
-      } else {
-        for (int k = 0; k < kBlock; ++k) mu[k] = std::pow(mu[k], static_cast<float>(exponent_)) * weight[k];
-      }
-      float* const sums = sums_.data() + i * kSums * kBlock;
-      for (int k = 0; k < kBlock; ++k) {
-        sums[k] += mu[k];
-        sums[kBlock + k] += mu[k] * points.x(block)[k];
-        sums[2 * kBlock + k] += mu[k] * points.y(block)[k];
-      }
+      Lanes& share = affinity_[i];
+      raise(share);
+      share *= scale_;
+      Lanes* const sums = sums_.data() + i * kSums;
+      sums[0] += share;
+      sums[1] += share * x;
+      sums[2] += share * y;
     }
   }
+  return move(centres);
+}
+
+/// Puts the centres at their weighted means.
+float FuzzyPartition::move(std::span<FeaturePoint> centres) const {
+  constexpr std::size_t kSums = 3;
   float farthest = 0.0F;
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    const float* const sums = sums_.data() + i * kSums * kBlock;
-    const double total = sum_of(sums);
+    const Lanes* const sums = sums_.data() + i * kSums;
+    const double total = sum_of(sums[0]);
     if (!(total > 0.0)) continue;
-    const FeaturePoint moved{static_cast<float>(sum_of(sums + kBlock) / total),
-                             static_cast<float>(sum_of(sums + 2 * kBlock) / total)};
+    const FeaturePoint moved{static_cast<float>(sum_of(sums[1]) / total),
+                             static_cast<float>(sum_of(sums[2]) / total)};
     farthest = std::max(farthest, std::hypot(moved.x - centres[i].x, moved.y - centres[i].y));
     centres[i] = moved;
   }
@@ -121,36 +129,32 @@ std::span<const PatternStatistics> FuzzyPartition::statistics(const WeightedPoin
                                                               std::span<const FeaturePoint> centres,
                                                               double theta) {
   constexpr std::size_t kSums = 5;
-  membership_.resize(centres.size() * kBlock);
-  sums_.assign(centres.size() * kSums * kBlock, 0.0F);
-  const auto limit = static_cast<float>(theta);
+  affinity_.resize(centres.size());
+  sums_.assign(centres.size() * kSums, Lanes::Zero());
   for (int block = 0; block < points.num_blocks(); ++block) {
-    memberships(points, block, centres);
-    const float* const weight = points.weight(block);
+    const auto x = block_of(points.x(block)), y = block_of(points.y(block)),
+               weight = block_of(points.weight(block));
+    affinities(points, block, centres);
     for (std::size_t i = 0; i < centres.size(); ++i) {
-      const float* const mu = lane(i);
-      float* const sums = sums_.data() + i * kSums * kBlock;
-      for (int k = 0; k < kBlock; ++k) {
-        const float share = mu[k] * weight[k];
-        const float dx = points.x(block)[k] - centres[i].x, dy = points.y(block)[k] - centres[i].y;
-        sums[k] += share;
-        sums[kBlock + k] += mu[k] > limit ? share : 0.0F;
-        sums[2 * kBlock + k] += mu[k] > limit ? weight[k] : 0.0F;
-        sums[3 * kBlock + k] += share * dx * dx;
-        sums[4 * kBlock + k] += share * dy * dy;
-      }
+      const Lanes mu = affinity_[i] * scale_, share = mu * weight;
+      const Lanes core = (mu > static_cast<float>(theta)).cast<float>();
+      Lanes* const sums = sums_.data() + i * kSums;
+      sums[0] += share;
+      sums[1] += core * share;
+      sums[2] += core * weight;
+      sums[3] += share * (x - centres[i].x).square();
+      sums[4] += share * (y - centres[i].y).square();
     }
   }
   // Eq. (27) divides by N - 1; with less than two samples' weight that would blow up.
   const double degrees = std::max(points.total_weight() - 1.0, 1.0);
   statistics_.resize(centres.size());
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    const float* const sums = sums_.data() + i * kSums * kBlock;
-    statistics_[i] = {
-        sum_of(sums),
-        sum_of(sums + kBlock),
-        sum_of(sums + 2 * kBlock),
-        {std::sqrt(sum_of(sums + 3 * kBlock) / degrees), std::sqrt(sum_of(sums + 4 * kBlock) / degrees)}};
+    const Lanes* const sums = sums_.data() + i * kSums;
+    statistics_[i] = {sum_of(sums[0]),
+                      sum_of(sums[1]),
+                      sum_of(sums[2]),
+                      {std::sqrt(sum_of(sums[3]) / degrees), std::sqrt(sum_of(sums[4]) / degrees)}};
   }
   return statistics_;
 }

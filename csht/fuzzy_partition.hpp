@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 
@@ -62,13 +63,17 @@ class FuzzyPartition {
                                                 std::span<const FeaturePoint> centres, double theta);
 
  private:
-  struct Sums;
-  void memberships(const WeightedPoints& points, int block, std::span<const FeaturePoint> centres);
-  float* lane(std::size_t pattern) { return membership_.data() + pattern * WeightedPoints::kBlock; }
+  using Lanes = Eigen::Array<float, WeightedPoints::kBlock, 1>;
+
+  void affinities(const WeightedPoints& points, int block, std::span<const FeaturePoint> centres);
+  void raise(Lanes& values) const;
+  float move(std::span<FeaturePoint> centres) const;
 
   double exponent_;
-  std::vector<float> membership_;  ///< Of one block: patterns x kBlock.
-  std::vector<float> sums_;        ///< Patterns x sums x kBlock.
+  bool squares_;                 ///< m = 2, where no power needs computing.
+  std::vector<Lanes> affinity_;  ///< Of one block, a pattern each.
+  Lanes scale_ = Lanes::Zero();  ///< Of one block.
+  std::vector<Lanes> sums_;      ///< The sums of each pattern in a row.
   std::vector<PatternStatistics> statistics_;
 };
 
