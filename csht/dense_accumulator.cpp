@@ -13,11 +13,23 @@ int DenseAccumulator::most() const {
   return fullest == votes_.end() ? 0 : *fullest;
 }
 
-void DenseAccumulator::collect(const LineGrid& grid, int least, std::vector<LineVote>& found) const {
-  for (std::size_t i = 0; i < votes_.size(); ++i) {
-    if (votes_[i] >= least)
-      found.push_back({grid.cell_at(static_cast<std::int64_t>(i)), static_cast<double>(votes_[i])});
+void DenseAccumulator::collect(const LineGrid& grid, int least, std::size_t limit,
+                               std::vector<LineVote>& found) const {
+  for (std::size_t i = 0; i < votes_.size() && limit > 0; ++i) {
+    if (votes_[i] < least) continue;
+    found.push_back({grid.cell_at(static_cast<std::int64_t>(i)), static_cast<double>(votes_[i])});
+    --limit;
   }
+}
+
+bool DenseAccumulator::is_local_maximum(const LineGrid& grid, const LineCell& cell) const {
+  for (int i = -1; i <= 1; ++i) {
+    for (int j = -1; j <= 1; ++j) {
+      const LineCell beside = grid.wrapped({cell.theta + i, cell.rho + j});
+      if (grid.contains(beside) && votes(grid, beside) > votes(grid, cell)) return false;
+    }
+  }
+  return true;
 }
 
 void ColumnVoting::vote(const LineGrid& grid, const Eigen::Vector2d& p, DenseAccumulator& votes) {

@@ -22,8 +22,10 @@ class DenseAccumulator {
     return votes_[static_cast<std::size_t>(grid.index(cell))];
   }
   int most() const;  ///< Votes of the fullest cell, 0 where nothing voted.
-  /// All cells of at least `least` votes, appended to `found` in the order of the grid.
-  void collect(const LineGrid& grid, int least, std::vector<LineVote>& found) const;
+  /// The first `limit` cells of at least `least` votes, appended to `found` in the order of the grid.
+  void collect(const LineGrid& grid, int least, std::size_t limit, std::vector<LineVote>& found) const;
+  /// Whether none of the eight cells around holds more votes.
+  bool is_local_maximum(const LineGrid& grid, const LineCell& cell) const;
 
  private:
   std::vector<std::uint16_t> votes_;

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tracking/initiation/gates.hpp"
+#include "tracking/initiation/plot_index.hpp"
+#include "tracking/initiation/track_fit.hpp"
+
+namespace lookout::tracking {
+
+/// Rules of the gates that grow tracks plot by plot, the nearest plot of each gate. [Zeng2023] section 2.
+struct GateLogicParams {
+  SpeedLimits speeds = kZengSpeeds;
+  double margin = 10.0;              ///< w, by which the circular gate is widened [m], >= 0. Eq. (1).
+  bool fan_gate = true;              ///< A fan gate in the third scan, Eq. (2); else the ellipse throughout.
+  double max_acceleration = 150.0;   ///< a_max - a_min of the fan gate [m/s^2], >= 0.
+  double turn_rate = 0.104719755;    ///< Fastest turn [rad/s], > 0: 6 degrees.
+  double gate = 24.0;                ///< gamma of the elliptical gate, > 0. Eq. (6).
+  bool filtered = true;              ///< Predict by the Kalman filter of all plots; else from the last two.
+  MotionModelParams motion{1.0};     ///< Of the predictor. Section 3.1.
+  int max_misses = 1;                ///< Consecutive scans that a track survives without a plot, >= 0.
+
+  /// What the authors' program knows and the text does not say (agfht.md section 2): the course of the targets ...
+  std::optional<Eigen::Vector2d> known_course;    ///< Plots of the first three scans lie within 90 degrees of it.
+  std::optional<Eigen::Vector2d> known_velocity;  ///< The filter starts with it [m/s].
+  bool drop_lonely_roots = false;                 ///< Roots unmatched in the second scan, and new ones, are dropped.
+  std::optional<Eigen::Matrix2d> noise;           ///< In place of the plots' own [m^2].
+
+  /// @throws std::invalid_argument naming the value out of range.
+  void validate() const;
+};
+
+/// A track of gate logic: a root (one plot), temporary (two) or candidate (three or more).
+struct GateTrack {
+  static constexpr int kMaxPlots = 32;
+  int plots[kMaxPlots] = {};  ///< Indices in the window.
+  int num_plots = 0;
+  int misses = 0;  ///< Scans since its newest plot.
+  TrackFit fit;    ///< From two plots on.
+
+  std::span<const int> plot_indices() const { return {plots, static_cast<std::size_t>(num_plots)}; }
+  int newest() const { return plots[num_plots - 1]; }
+};
+
+/// Grows gate tracks through the scans of a window. The first scan's plots are roots; plots of the second that lie
+/// in no root's gate become roots too.
+class GateLogic {
+ public:
+  explicit GateLogic(const GateLogicParams& params);
+
+  /// @return the tracks that are alive after the last scan; valid until the next call.
+  std::span<const GateTrack> run(const PlotWindow& window);
+
+ private:
+  /// The plot that a gate chose and how far it is from what was expected.
+  struct Choice {
+    int plot = -1;
+    double distance = 0.0;
+    void offer(int candidate, double how_far) {
+      if (plot < 0 || how_far < distance) *this = {candidate, how_far};
+    }
+  };
+
+  void add_roots(const PlotWindow& window, int scan);
+  void take_scan(const PlotWindow& window, int scan);
+  Choice choose(const PlotWindow& window, int scan, const GateTrack& track);
+  Choice circular_choice(const PlotWindow& window, int scan, const GateTrack& track);
+  Choice fan_choice(const PlotWindow& window, int scan, const GateTrack& track);
+  Choice elliptical_choice(const PlotWindow& window, int scan, const GateTrack& track);
+  bool on_course(const Eigen::Vector2d& displacement) const;
+  Plot known(const Plot& plot) const;
+  void extend(const PlotWindow& window, int plot, GateTrack& track) const;
+  TrackFit start_fit(const Plot& older, const Plot& newer) const;
+
+  GateLogicParams params_;
+  PlotIndex index_;
+  std::vector<GateTrack> tracks_;
+  std::vector<char> claimed_;  ///< Plots of the window that lie in some root's circular gate.
+};
+
+}  // namespace lookout::tracking

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <initializer_list>
+#include <optional>
+#include <string>
+
+#include "tracking/initiation/gates.hpp"
+
+namespace lookout::core {
+class YamlMap;
+struct SonarParams;
+}  // namespace lookout::core
+
+namespace lookout::tracking {
+
+/// What a user chooses of an initiator: the `initiator:` part of a configuration. What is absent is the
+/// method's own default, which is its paper's value and stands in the method's header.
+struct InitiatorConfig {
+  std::string variant;  ///< A reading of the method; empty: its default. See each method's header.
+
+  /// Accuracy of points that come without a covariance: `position_sigma` alone is the same along both axes;
+  /// with `range_sigma` and `azimuth_sigma` the sensor stands at the origin and measures range and azimuth.
+  double position_sigma = 10.0;         ///< [m], > 0. [Fan2018] section V.
+  std::optional<double> range_sigma;    ///< [m], > 0.
+  std::optional<double> azimuth_sigma;  ///< [rad], > 0.
+
+  std::optional<double> min_speed;           ///< Slowest target [m/s], >= 0.
+  std::optional<double> max_speed;           ///< Fastest target [m/s], > min_speed.
+  std::optional<double> acceleration_sigma;  ///< White acceleration of a target [m/s^2], >= 0.
+  std::optional<int> window_scans;           ///< Scans of a window, >= 2.
+  std::optional<int> min_plots;              ///< Plots that a track needs, >= 2.
+
+  std::optional<double> rho_step;         ///< Height of a Hough cell [m], > 0.
+  std::optional<double> theta_step;       ///< Width of a Hough cell [rad], in (0, pi/4].
+  std::optional<double> rho_tolerance;    ///< Sigma of a fuzzy vote along rho [m], > 0.
+  std::optional<double> theta_tolerance;  ///< Sigma of a fuzzy vote along theta [rad], > 0.
+  std::optional<double> sensor_range;     ///< Half of the rho that the grid covers [m], > 0.
+  std::optional<double> peak_threshold;   ///< Share of the highest peak that a peak needs, in (0, 1].
+  std::optional<int> max_tracks;          ///< Most tracks of a window, >= 1.
+
+  std::optional<double> gate_probability;   ///< Share of true plots inside a gate of VCT, in (0, 1).
+  std::optional<double> max_false_tracks;   ///< False chains expected per window that VCT allows, > 0.
+  std::optional<double> clutter_per_area;   ///< False plots per scan and area [1/m^2], > 0; absent: estimated.
+
+  /// Covariance of a point at `position` [m] that came without one [m^2].
+  Eigen::Matrix2d noise_at(const Eigen::Vector2d& position) const;
+  /// @throws std::invalid_argument naming a field out of range.
+  void validate() const;
+};
+
+/// The variant of `config`, or the first of `accepted` where it names none; a method without variants accepts none.
+/// @throws std::invalid_argument naming what is accepted.
+std::string chosen_variant(const InitiatorConfig& config, const std::string& method,
+                           std::initializer_list<const char*> accepted);
+
+/// The speed limits of `config`, or those of the method's paper.
+SpeedLimits speed_limits(const InitiatorConfig& config, const SpeedLimits& of_paper);
+
+/// Overrides `config` with the keys that `map` holds (`azimuth_sigma_deg` and `theta_..._deg` in degrees), and
+/// calls map.finish(). @throws core::InputError on an unknown key or a value out of range.
+void read_initiator_config(const core::YamlMap& map, InitiatorConfig& config);
+
+/// The scales of a Hough grid and the speeds that suit a sonar, where `config` leaves them open.
+/// A window of `window_scans` scans at the sonar's period is too short for the radar defaults of the papers.
+InitiatorConfig scaled_to(const core::SonarParams& sonar, InitiatorConfig config);
+
+/// Covariance [m^2] of a position at `offset` [m] from the sensor, from its errors in range and azimuth: the
+/// first along the line of sight, the second times the range across it. A point at the sensor itself has the
+/// range error in every direction.
+Eigen::Matrix2d polar_noise(const Eigen::Vector2d& offset, double range_sigma, double azimuth_sigma);
+
+}  // namespace lookout::tracking

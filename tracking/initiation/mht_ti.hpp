@@ -1,0 +1,48 @@
+// Source: modified Hough transform from temporary tracks, MHT-TI, as described by [Fan2018] section III.
+#pragma once
+
+#include <memory>
+
+#include "tracking/initiation/initiator.hpp"
+#include "tracking/initiation/initiator_config.hpp"
+#include "tracking/initiation/line_voting.hpp"
+#include "tracking/initiation/pair_points.hpp"
+
+namespace lookout::tracking {
+
+/// Every pair of plots of consecutive scans votes once, for the line through it. The pairs that the speed limits
+/// refuse do not vote: without limits this is MHT-TI, with limits IHT-TI.
+/// Cost: pairs. Refuses windows of more than `kMaxPairs` pairs.
+class PairVotingInitiator : public HoughInitiator {
+ public:
+  static constexpr std::int64_t kMaxPairs = 2'000'000;  ///< About 200 MB and a second.
+
+  /// @throws std::invalid_argument on a value out of range.
+  PairVotingInitiator(const LineVotingParams& params, const SpeedLimits& speeds);
+
+  const StartedTracks& start(const PlotWindow& window) override;
+  int window_scans() const override { return params_.window_scans; }
+  const csht::LineGrid& grid() const override { return grid_; }
+  void append_cells(std::vector<csht::LineVote>& cells) const override;
+
+ private:
+  bool vote(const PlotWindow& window);
+  void declare(const PlotWindow& window);
+
+  LineVotingParams params_;
+  PairFormation formation_;
+  csht::LineGrid grid_;
+  csht::SparseAccumulator votes_;
+  std::vector<PairPoint> pairs_;
+  std::vector<csht::LineVote> candidates_;
+  LineTrackBuilder builder_;
+  StartedTracks started_;
+};
+
+/// Whether the line of a pair lies in the neighbourhood that a declared line fills, [Fan2018] Eq. (28).
+bool voted_for(const csht::NormalLine& pair, const csht::NormalLine& declared, const LineVotingParams& params);
+
+/// Keys: those of LineVotingParams. No variants.
+std::unique_ptr<Initiator> make_mht_ti(const InitiatorConfig& config);
+
+}  // namespace lookout::tracking

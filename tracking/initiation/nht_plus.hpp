@@ -1,0 +1,92 @@
+// Source: our own, NHT+: the voting of [Fan2018] with tolerances from the noise and with speed; docs/initiators.md.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "csht/sparse_accumulator.hpp"
+#include "tracking/initiation/initiator.hpp"
+#include "tracking/initiation/initiator_config.hpp"
+#include "tracking/initiation/line_track.hpp"
+#include "tracking/initiation/pair_points.hpp"
+
+namespace lookout::tracking {
+
+struct NhtPlusParams {
+  SpeedLimits speeds = kFanSpeeds;
+  MotionModelParams motion{0.0};
+  double acceleration_factor = 1.5;   ///< Widens the tolerances where the motion is not straight, >= 1.
+  double reach_sigmas = 2.0;          ///< How far a pair votes, in its sigmas, > 0. [Fan2018] Eq. (28).
+  double theta_cells_per_sigma = 8.0; ///< Fineness of the grid for the fastest pair, > 0.
+  double rho_cells_per_sigma = 2.0;   ///< Likewise along rho, > 0.
+  double speed_bin_sigmas = 3.0;      ///< Width of a speed bin in sigmas of a pair's speed, > 0.
+  double peak_threshold = 0.5;        ///< Share of one full vote a step that a peak needs, in (0, 1].
+  double chain_probability = 0.99;    ///< Share of true tracks whose chi-square passes, in (0, 1).
+  int min_plots = 5;                  ///< Scans that a track's plots must come from, >= 3.
+  int max_tracks = 500;               ///< The strongest peaks that are tried, >= 1.
+  int window_scans = 7;               ///< [Fan2018] section V.
+};
+
+/// Pairs of plots vote for lines as far as their noise lets the line turn about the pair's middle, and for their
+/// speed along it; a cell gets the largest vote of each step. The origin is the middle of the window, so that no
+/// lever arm enters. A peak whose plots fit one constant velocity is a track; one plot serves one track.
+/// Cost: pairs x cells of their neighbourhood. Refuses windows of more than `kMaxVotes` votes.
+class NhtPlusInitiator : public HoughInitiator {
+ public:
+  static constexpr std::size_t kMaxPairs = 100'000;        ///< A few seconds.
+  static constexpr std::size_t kMaxCells = 20'000'000;     ///< About a gigabyte.
+
+  /// @throws std::invalid_argument on a value out of range.
+  explicit NhtPlusInitiator(const NhtPlusParams& params);
+
+  const StartedTracks& start(const PlotWindow& window) override;
+  int window_scans() const override { return params_.window_scans; }
+  const csht::LineGrid& grid() const override { return grid_; }
+  void append_cells(std::vector<csht::LineVote>& cells) const override;
+  Eigen::Vector2d grid_origin() const override { return origin_; }
+
+ private:
+  /// How a pair may be turned, shifted and sped up by its noise.
+  struct PairVote {
+    PairPoint pair;
+    Eigen::Vector2d middle{0, 0};        ///< Relative to the origin [m].
+    Eigen::Vector2d displacement{0, 0};  ///< [m].
+    double seconds = 0.0;
+    double sigma = 0.0;        ///< Of one plot [m].
+    double theta_sigma = 0.0;  ///< Of the direction [rad].
+  };
+
+  void prepare(const PlotWindow& window);
+  bool vote(const PlotWindow& window);
+  PairVote measured(const PlotWindow& window, const PairPoint& pair) const;
+  void vote_pair(const PairVote& pair, int step);
+  void vote_column(const PairVote& pair, int step, int column);
+  double agreement(const PairVote& pair, const csht::NormalLine& line, double speed) const;
+  std::int64_t key_of(const csht::LineCell& cell, int layer) const;
+  csht::LineVote vote_at(const csht::SparseAccumulator::Entry& entry) const;
+  bool is_local_maximum(const csht::LineVote& vote) const;
+  void find_peaks(const PlotWindow& window);
+  void declare(const PlotWindow& window);
+  void declare_peak(const PlotWindow& window, const csht::LineVote& peak);
+
+  NhtPlusParams params_;
+  PairFormation formation_;
+  csht::LineGrid grid_;
+  Eigen::Vector2d origin_{0, 0};
+  double layer_step_ = 1.0;  ///< Half of a speed bin [m/s]: bins overlap by half.
+  int max_layer_ = 0;
+  csht::SparseAccumulator votes_;
+  std::vector<PairVote> pairs_;
+  std::vector<csht::LineVote> candidates_;
+  std::size_t num_peaks_ = 0;
+  std::vector<char> used_;
+  LineTrackBuilder builder_;
+  StartedTracks started_;
+};
+
+/// Keys: `min_speed`, `max_speed`, `acceleration_sigma`, `min_plots`, `window_scans`, `peak_threshold`,
+/// `max_tracks`. No variants.
+std::unique_ptr<Initiator> make_nht_plus(const InitiatorConfig& config);
+
+}  // namespace lookout::tracking

@@ -1,0 +1,43 @@
+#include "tracking/initiation/pair_points.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace lookout::tracking {
+
+PairFormation::PairFormation(const SpeedLimits& speeds, std::int64_t max_pairs)
+    : speeds_(speeds), max_pairs_(max_pairs) {
+  speeds.validate();
+}
+
+void PairFormation::add(const PlotWindow& window, int older, int newer, const Eigen::Vector2d& origin) {
+  const Plot& a = window.plot(older);
+  const Plot& b = window.plot(newer);
+  if (!in_annulus(b.position - a.position, b.time - a.time, speeds_, 0.0)) return;
+  if (++total_ > max_pairs_) return;
+  pairs_.push_back({older, newer, *csht::line_through(a.position - origin, b.position - origin)});
+}
+
+const std::vector<PairPoint>& PairFormation::form(const PlotWindow& window, int scan,
+                                                  const Eigen::Vector2d& origin) {
+  pairs_.clear();
+  const bool gated = std::isfinite(speeds_.max);
+  const double radius = speeds_.max * (window.time(scan) - window.time(scan - 1));
+  if (gated) index_.build(window, scan);
+  for (int older = window.first(scan - 1); older < window.end(scan - 1) && !exceeded(); ++older) {
+    if (gated) {
+      index_.near(window.plot(older).position, radius, [&](int newer) { add(window, older, newer, origin); });
+    } else {
+      for (int newer = window.first(scan); newer < window.end(scan) && !exceeded(); ++newer)
+        add(window, older, newer, origin);
+    }
+  }
+  return pairs_;
+}
+
+std::string PairFormation::refusal() const {
+  return "more than " + std::to_string(max_pairs_) + " pairs of plots in one window; " +
+         "use vct, or a smaller window or speed range";
+}
+
+}  // namespace lookout::tracking
