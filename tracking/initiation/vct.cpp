@@ -62,8 +62,6 @@ VctInitiator::VctInitiator(const VctParams& params) : params_(params) {
   params.validate();
   gate_ = chi_square_gate(params.gate_probability, 2);
   chain_gates_.assign(3, 0.0);
-  for (int plots = 3; plots <= params.window_scans; ++plots)
-    chain_gates_.push_back(chi_square_gate(params.chain_probability, 2 * plots - 4));
 }
 
 const StartedTracks& VctInitiator::start(const PlotWindow& window) {
@@ -84,6 +82,9 @@ void VctInitiator::prepare(const PlotWindow& window) {
   branches_.clear();
   first_branch_.assign(static_cast<std::size_t>(window.num_plots()) + 1, 0);
   num_scans_ = window.num_scans();
+  while (static_cast<int>(chain_gates_.size()) <= num_scans_)
+    chain_gates_.push_back(
+        chi_square_gate(params_.chain_probability, 2 * static_cast<int>(chain_gates_.size()) - 4));
   mean_density_ = window.num_plots() / (std::max(1, num_scans_) * covered_area(window));
 }
 
@@ -197,7 +198,7 @@ VctInitiator::Branch VctInitiator::branch_of(const PlotWindow& window, const Pro
 
 bool VctInitiator::accepted(const Branch& branch) const {
   const int plots = branch.fit.plots;
-  if (plots < params_.min_plots || plots >= static_cast<int>(chain_gates_.size())) return false;
+  if (plots < params_.min_plots) return false;
   if (branch.fit.chi_square > chain_gates_[static_cast<std::size_t>(plots)]) return false;
   if (branch.log_expected > std::log(params_.max_false_tracks)) return false;
   const double sigma = std::sqrt(0.5 * branch.fit.track.covariance.bottomRightCorner<2, 2>().trace());
