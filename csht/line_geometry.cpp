@@ -33,9 +33,13 @@ std::optional<NormalLine> line_through(const Eigen::Vector2d& p, const Eigen::Ve
 
 NormalLine line_difference(const NormalLine& a, const NormalLine& b) {
   constexpr double pi = std::numbers::pi;
-  const double turns = std::round((a.theta - b.theta) / pi);
+  const double apart = a.theta - b.theta;
+  // Both in [0, pi), as they mostly are: half a turn either way, and no division.
+  if (std::abs(apart) <= 0.5 * pi) return {a.rho - b.rho, apart};
+  if (std::abs(apart) <= 1.5 * pi) return {-a.rho - b.rho, apart > 0.0 ? apart - pi : apart + pi};
+  const double turns = std::round(apart / pi);
   const bool odd = std::fmod(turns, 2.0) != 0.0;
-  return {(odd ? -a.rho : a.rho) - b.rho, a.theta - b.theta - turns * pi};
+  return {(odd ? -a.rho : a.rho) - b.rho, apart - turns * pi};
 }
 
 }  // namespace lookout::csht

@@ -3,8 +3,10 @@
 #include <array>
 
 #include "core/input_error.hpp"
+#include "tools/experiments/agfht_experiments.hpp"
 #include "tools/experiments/csht_tracking.hpp"
 #include "tools/experiments/csht_window.hpp"
+#include "tools/experiments/nht_experiments.hpp"
 #include "tools/experiments/recordings.hpp"
 
 namespace lookout::tools {
@@ -14,6 +16,10 @@ const std::array kExperiments{
     ExperimentEntry{"csht-window", make_csht_window},
     ExperimentEntry{"csht-tracking", make_csht_tracking},
     ExperimentEntry{"recordings", make_recordings},
+    ExperimentEntry{"nht-simulated", make_nht_simulated},
+    ExperimentEntry{"nht-real", make_nht_real},
+    ExperimentEntry{"agfht-table2", make_agfht_table2},
+    ExperimentEntry{"agfht-sweep", make_agfht_sweep},
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
-// Source: Zeng, Xiao, Ding, He, "Track initiation based on adaptive gates and fuzzy Hough transform", SIViP, 2023.
+// Source: Zeng, Xiao, Ding, He, "Track initiation based on adaptive gates and fuzzy Hough transform", SIViP,
+// 2023.
 #include "tracking/initiation/ag_fht.hpp"
 
 #include <algorithm>
@@ -60,9 +61,9 @@ void AgFhtInitiator::collect_candidates(const PlotWindow& window) {
       return std::ranges::equal(other.track.plot_indices(), plots);
     });
     if (repeated) continue;
-    started_.survivors.insert(started_.survivors.end(), plots.begin(), plots.end());
     candidates_.push_back(transformed(window, track));
   }
+  gates_.append_survivors(started_.survivors);
 }
 
 double AgFhtInitiator::rho_of(int plot, int column) const {

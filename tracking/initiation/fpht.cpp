@@ -10,14 +10,14 @@ namespace lookout::tracking {
 namespace {
 
 constexpr std::int64_t kMaxVotes = 1'000'000'000;  // A few seconds.
-constexpr double kLeastMembership = 1e-6;          // Of a plot that lies in reach of a cell.
 
 }  // namespace
 
 FphtInitiator::FphtInitiator(const FphtParams& params)
     : params_(params), grid_(params.grid.num_theta, params.grid.num_rho, params.grid.half_range) {
   if (!(params.peak_threshold > 0.0 && params.peak_threshold <= 1.0))
-    throw std::invalid_argument("peak_threshold must be in (0, 1], got " + std::to_string(params.peak_threshold));
+    throw std::invalid_argument("peak_threshold must be in (0, 1], got " +
+                                std::to_string(params.peak_threshold));
   for (int i = 0; i < grid_.num_theta(); ++i)
     normals_.push_back(csht::NormalLine{0.0, grid_.theta_of(i)}.normal());
 }
@@ -27,7 +27,8 @@ const StartedTracks& FphtInitiator::start(const PlotWindow& window) {
   if (window.num_scans() < 2) return started_;
   const std::int64_t votes = static_cast<std::int64_t>(window.num_plots()) * grid_.num_theta();
   if (votes * (2 * params_.reach + 1) > kMaxVotes) {
-    started_.refusal = "more than " + std::to_string(kMaxVotes) + " votes; use fewer plots or a larger theta_step";
+    started_.refusal =
+        "more than " + std::to_string(kMaxVotes) + " votes; use fewer plots or a larger theta_step";
     return started_;
   }
   vote(window);
@@ -88,15 +89,20 @@ void FphtInitiator::declare(const PlotWindow& window) {
       candidates_.push_back({grid_.cell_at(i), held});
   }
   csht::PeakParams peaks;
+  peaks.theta_radius = params_.reach;
+  peaks.rho_radius = params_.reach;
   peaks.max_peaks = params_.max_tracks;
   for (const csht::LineVote& peak : csht::strongest_peaks(grid_, peaks, candidates_)) {
     builder_.clear();
+    const csht::NormalLine line = grid_.centre(peak.cell);
+    const Eigen::Vector2d normal = line.normal();
+    const double reach = (params_.reach + 0.5) * grid_.rho_step();
     for (int i = 0; i < window.num_plots(); ++i) {
-      const double weight = membership(peak.cell, window.plot(i).position);
-      if (weight > kLeastMembership && std::sqrt(-2.0 * std::log(weight)) * params_.cell_sigma <= params_.reach + 0.5)
-        builder_.add(i, weight);
+      const Eigen::Vector2d& position = window.plot(i).position;
+      if (std::abs(position.dot(normal) - line.rho) <= reach)
+        builder_.add(i, membership(peak.cell, position));
     }
-    builder_.build(window, grid_.centre(peak.cell), params_.min_plots, params_.motion, peak.value, started_);
+    builder_.build(window, line, params_.min_plots, params_.motion, peak.value, started_);
   }
   started_.survivors = started_.plots;
 }

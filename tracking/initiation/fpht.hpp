@@ -21,9 +21,9 @@ struct FphtParams {
   MotionModelParams motion{1.0};  ///< Of the refit.
 };
 
-/// One fuzzy accumulator a scan, in which a cell holds the largest membership of the scan's plots; their sum over
-/// the scans is searched for local maxima. Reconstructed, for the original is not accessible. Cost: plots x columns
-/// x reach, and the grid once a scan.
+/// One fuzzy accumulator a scan, in which a cell holds the largest membership of the scan's plots; their sum
+/// over the scans is searched for local maxima. Reconstructed, for the original is not accessible. Cost:
+/// plots x columns x reach, and the grid once a scan.
 class FphtInitiator : public HoughInitiator {
  public:
   /// @throws std::invalid_argument on a value out of range.

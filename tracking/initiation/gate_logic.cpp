@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-
 namespace lookout::tracking {
 
 void GateLogicParams::validate() const {
@@ -13,8 +12,10 @@ void GateLogicParams::validate() const {
   motion.validate();
   if (!(margin >= 0.0)) throw std::invalid_argument("margin must be >= 0, got " + std::to_string(margin));
   if (!(gate > 0.0)) throw std::invalid_argument("gate must be > 0, got " + std::to_string(gate));
-  if (!(turn_rate > 0.0)) throw std::invalid_argument("turn_rate must be > 0, got " + std::to_string(turn_rate));
-  if (max_misses < 0) throw std::invalid_argument("max_misses must be >= 0, got " + std::to_string(max_misses));
+  if (!(turn_rate > 0.0))
+    throw std::invalid_argument("turn_rate must be > 0, got " + std::to_string(turn_rate));
+  if (max_misses < 0)
+    throw std::invalid_argument("max_misses must be >= 0, got " + std::to_string(max_misses));
 }
 
 GateLogic::GateLogic(const GateLogicParams& params) : params_(params) {
@@ -23,15 +24,27 @@ GateLogic::GateLogic(const GateLogicParams& params) : params_(params) {
 
 std::span<const GateTrack> GateLogic::run(const PlotWindow& window) {
   tracks_.clear();
-  claimed_.assign(static_cast<std::size_t>(window.num_plots()), 0);
+  gated_.assign(static_cast<std::size_t>(window.num_plots()), 0);
   if (window.num_scans() > 0) add_roots(window, 0);
-  for (int scan = 1; scan < std::min(window.num_scans(), GateTrack::kMaxPlots); ++scan) take_scan(window, scan);
+  for (int scan = 1; scan < std::min(window.num_scans(), GateTrack::kMaxPlots); ++scan)
+    take_scan(window, scan);
   return tracks_;
+}
+
+void GateLogic::append_survivors(std::vector<int>& plots) const {
+  for (std::size_t i = 0; i < gated_.size(); ++i) {
+    if (gated_[i]) plots.push_back(static_cast<int>(i));
+  }
+}
+
+void GateLogic::offer(int plot, double distance, Choice& choice) {
+  gated_[static_cast<std::size_t>(plot)] = 1;
+  if (choice.plot < 0 || distance < choice.distance) choice = {plot, distance};
 }
 
 void GateLogic::add_roots(const PlotWindow& window, int scan) {
   for (int plot = window.first(scan); plot < window.end(scan); ++plot) {
-    if (claimed_[static_cast<std::size_t>(plot)]) continue;
+    if (gated_[static_cast<std::size_t>(plot)]) continue;
     GateTrack root;
     root.plots[root.num_plots++] = plot;
     tracks_.push_back(root);
@@ -55,7 +68,7 @@ void GateLogic::take_scan(const PlotWindow& window, int scan) {
 
 GateLogic::Choice GateLogic::choose(const PlotWindow& window, int scan, const GateTrack& track) {
   if (track.num_plots == 1) return circular_choice(window, scan, track);
-  if (params_.fan_gate && scan == 2 && track.num_plots == 2) return fan_choice(window, scan, track);
+  if (params_.fan_gate && track.num_plots == 2 && track.misses == 0) return fan_choice(window, scan, track);
   return elliptical_choice(window, scan, track);
 }
 
@@ -63,7 +76,8 @@ bool GateLogic::on_course(const Eigen::Vector2d& displacement) const {
   return !params_.known_course || displacement.dot(*params_.known_course) >= 0.0;
 }
 
-/// Eq. (1); the nearest is that whose distance is nearest to the mean speed's, for the text names no criterion.
+/// Eq. (1); the nearest is that whose distance is nearest to the mean speed's, for the text names no
+/// criterion.
 GateLogic::Choice GateLogic::circular_choice(const PlotWindow& window, int scan, const GateTrack& track) {
   const Plot& root = window.plot(track.newest());
   const double seconds = window.time(scan) - root.time;
@@ -71,9 +85,9 @@ GateLogic::Choice GateLogic::circular_choice(const PlotWindow& window, int scan,
   Choice choice;
   index_.near(root.position, params_.speeds.max * seconds + params_.margin, [&](int i) {
     const Eigen::Vector2d displacement = window.plot(i).position - root.position;
-    if (!in_annulus(displacement, seconds, params_.speeds, params_.margin) || !on_course(displacement)) return;
-    claimed_[static_cast<std::size_t>(i)] = 1;
-    choice.offer(i, std::abs(displacement.norm() - expected));
+    if (!in_annulus(displacement, seconds, params_.speeds, params_.margin) || !on_course(displacement))
+      return;
+    offer(i, std::abs(displacement.norm() - expected), choice);
   });
   return choice;
 }
@@ -82,14 +96,15 @@ GateLogic::Choice GateLogic::circular_choice(const PlotWindow& window, int scan,
 GateLogic::Choice GateLogic::fan_choice(const PlotWindow& window, int scan, const GateTrack& track) {
   const Eigen::Vector2d from = window.plot(track.newest()).position;
   const double seconds = window.time(scan) - window.plot(track.newest()).time;
-  const Eigen::Vector2d expected = predicted(track.fit, window.time(scan), params_.motion).track.position() - from;
+  const Eigen::Vector2d expected =
+      predicted(track.fit, window.time(scan), params_.motion).track.position() - from;
   const double depth = (params_.speeds.max - params_.speeds.min) * seconds +
                        0.5 * params_.max_acceleration * seconds * seconds + params_.margin;
   Choice choice;
   index_.near(from, expected.norm() + 0.5 * depth, [&](int i) {
     const Eigen::Vector2d reached = window.plot(i).position - from;
     if (in_fan(reached, expected, depth, params_.turn_rate * seconds) && on_course(reached))
-      choice.offer(i, (reached - expected).norm());
+      offer(i, (reached - expected).norm(), choice);
   });
   return choice;
 }
@@ -108,7 +123,7 @@ GateLogic::Choice GateLogic::elliptical_choice(const PlotWindow& window, int sca
     const Plot plot = known(window.plot(i));
     const double distance = innovation(ahead, plot).squared_distance();
     if (distance <= params_.gate && angle_between(plot.position - last.position, leg) <= turn)
-      choice.offer(i, distance);
+      offer(i, distance, choice);
   });
   return choice;
 }
@@ -129,7 +144,7 @@ TrackFit GateLogic::start_fit(const Plot& older, const Plot& newer) const {
   return updated(ahead, newer, innovation(ahead, newer));
 }
 
-void GateLogic::extend(const PlotWindow& window, int plot, GateTrack& track) const {
+void GateLogic::extend(const PlotWindow& window, int plot, GateTrack& track) {
   const Plot newer = known(window.plot(plot));
   const Plot older = known(window.plot(track.newest()));
   if (track.num_plots == 1) {
@@ -140,6 +155,7 @@ void GateLogic::extend(const PlotWindow& window, int plot, GateTrack& track) con
   } else {
     track.fit = two_point_start(older, newer, params_.motion);
   }
+  for (const int own : track.plot_indices()) gated_[static_cast<std::size_t>(own)] = 1;
   track.plots[track.num_plots++] = plot;
   track.misses = 0;
 }

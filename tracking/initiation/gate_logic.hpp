@@ -13,20 +13,22 @@ namespace lookout::tracking {
 /// Rules of the gates that grow tracks plot by plot, the nearest plot of each gate. [Zeng2023] section 2.
 struct GateLogicParams {
   SpeedLimits speeds = kZengSpeeds;
-  double margin = 10.0;              ///< w, by which the circular gate is widened [m], >= 0. Eq. (1).
-  bool fan_gate = true;              ///< A fan gate in the third scan, Eq. (2); else the ellipse throughout.
-  double max_acceleration = 150.0;   ///< a_max - a_min of the fan gate [m/s^2], >= 0.
-  double turn_rate = 0.104719755;    ///< Fastest turn [rad/s], > 0: 6 degrees.
-  double gate = 24.0;                ///< gamma of the elliptical gate, > 0. Eq. (6).
-  bool filtered = true;              ///< Predict by the Kalman filter of all plots; else from the last two.
-  MotionModelParams motion{1.0};     ///< Of the predictor. Section 3.1.
-  int max_misses = 1;                ///< Consecutive scans that a track survives without a plot, >= 0.
+  double margin = 10.0;  ///< w, by which the circular gate is widened [m], >= 0. Eq. (1).
+  bool fan_gate = true;  ///< Temporary tracks in their next scan meet a fan gate, Eq. (2); else the ellipse.
+  double max_acceleration = 150.0;  ///< a_max - a_min of the fan gate [m/s^2], >= 0.
+  double turn_rate = 0.104719755;   ///< Fastest turn [rad/s], > 0: 6 degrees.
+  double gate = 24.0;               ///< gamma of the elliptical gate, > 0. Eq. (6).
+  bool filtered = true;             ///< Predict by the Kalman filter of all plots; else from the last two.
+  MotionModelParams motion{1.0};    ///< Of the predictor. Section 3.1.
+  int max_misses = 1;               ///< Consecutive scans that a track survives without a plot, >= 0.
 
-  /// What the authors' program knows and the text does not say (agfht.md section 2): the course of the targets ...
-  std::optional<Eigen::Vector2d> known_course;    ///< Plots of the first three scans lie within 90 degrees of it.
+  /// What the authors' program knows and the text does not say (agfht.md section 2): the course of the
+  /// targets ...
+  std::optional<Eigen::Vector2d>
+      known_course;  ///< Plots of the first three scans lie within 90 degrees of it.
   std::optional<Eigen::Vector2d> known_velocity;  ///< The filter starts with it [m/s].
-  bool drop_lonely_roots = false;                 ///< Roots unmatched in the second scan, and new ones, are dropped.
-  std::optional<Eigen::Matrix2d> noise;           ///< In place of the plots' own [m^2].
+  bool drop_lonely_roots = false;        ///< Roots unmatched in the second scan, and new ones, are dropped.
+  std::optional<Eigen::Matrix2d> noise;  ///< In place of the plots' own [m^2].
 
   /// @throws std::invalid_argument naming the value out of range.
   void validate() const;
@@ -44,8 +46,8 @@ struct GateTrack {
   int newest() const { return plots[num_plots - 1]; }
 };
 
-/// Grows gate tracks through the scans of a window. The first scan's plots are roots; plots of the second that lie
-/// in no root's gate become roots too.
+/// Grows gate tracks through the scans of a window. The first scan's plots are roots; plots of the second
+/// that lie in no root's gate become roots too.
 class GateLogic {
  public:
   explicit GateLogic(const GateLogicParams& params);
@@ -53,16 +55,19 @@ class GateLogic {
   /// @return the tracks that are alive after the last scan; valid until the next call.
   std::span<const GateTrack> run(const PlotWindow& window);
 
+  /// Adds the plots that lay in some track's gate in the last run, and those of the tracks that had such
+  /// gates: what the gates leave of the scans, whichever plot was then the nearest. P1 of [Zeng2023] Eq.
+  /// (17).
+  void append_survivors(std::vector<int>& plots) const;
+
  private:
   /// The plot that a gate chose and how far it is from what was expected.
   struct Choice {
     int plot = -1;
     double distance = 0.0;
-    void offer(int candidate, double how_far) {
-      if (plot < 0 || how_far < distance) *this = {candidate, how_far};
-    }
   };
 
+  void offer(int plot, double distance, Choice& choice);
   void add_roots(const PlotWindow& window, int scan);
   void take_scan(const PlotWindow& window, int scan);
   Choice choose(const PlotWindow& window, int scan, const GateTrack& track);
@@ -71,13 +76,14 @@ class GateLogic {
   Choice elliptical_choice(const PlotWindow& window, int scan, const GateTrack& track);
   bool on_course(const Eigen::Vector2d& displacement) const;
   Plot known(const Plot& plot) const;
-  void extend(const PlotWindow& window, int plot, GateTrack& track) const;
+  void extend(const PlotWindow& window, int plot, GateTrack& track);
   TrackFit start_fit(const Plot& older, const Plot& newer) const;
 
   GateLogicParams params_;
   PlotIndex index_;
   std::vector<GateTrack> tracks_;
-  std::vector<char> claimed_;  ///< Plots of the window that lie in some root's circular gate.
+  std::vector<char>
+      gated_;  ///< Plots of the window that lie in some gate, or belong to a track with one that holds any.
 };
 
 }  // namespace lookout::tracking

@@ -11,7 +11,8 @@ void SpeedLimits::validate() const {
   if (!(max > min)) throw std::invalid_argument("max_speed must be > min_speed, got " + std::to_string(max));
 }
 
-bool in_annulus(const Eigen::Vector2d& displacement, double seconds, const SpeedLimits& speeds, double margin) {
+bool in_annulus(const Eigen::Vector2d& displacement, double seconds, const SpeedLimits& speeds,
+                double margin) {
   const double length = displacement.norm();
   return length > 0.0 && length >= speeds.min * seconds - margin && length <= speeds.max * seconds + margin;
 }

@@ -22,13 +22,14 @@ inline constexpr SpeedLimits kZengSpeeds{333.0, 750.0};
 
 /// The circular gate: a displacement [m] over `seconds` that the speeds allow, widened by `margin` [m] on
 /// both sides. A displacement of zero never passes, for it has no direction. [Zeng2023] Eq. (1).
-bool in_annulus(const Eigen::Vector2d& displacement, double seconds, const SpeedLimits& speeds, double margin);
+bool in_annulus(const Eigen::Vector2d& displacement, double seconds, const SpeedLimits& speeds,
+                double margin);
 
 /// Angle between two displacements [rad], in [0, pi]; 0 where one of them is zero.
 double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b);
 
-/// The fan-shaped gate: `reached` and `expected` are displacements from the newest plot; their lengths differ by
-/// less than half of `depth` [m] and their directions by less than `turn` [rad]. [Zeng2023] Eq. (2).
+/// The fan-shaped gate: `reached` and `expected` are displacements from the newest plot; their lengths differ
+/// by less than half of `depth` [m] and their directions by less than `turn` [rad]. [Zeng2023] Eq. (2).
 bool in_fan(const Eigen::Vector2d& reached, const Eigen::Vector2d& expected, double depth, double turn);
 
 }  // namespace lookout::tracking

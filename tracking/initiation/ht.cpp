@@ -7,10 +7,10 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr std::int64_t kMaxCells = 200'000'000;      // 400 MB of votes.
-constexpr std::int64_t kMaxVotes = 1'000'000'000;    // A few seconds.
-constexpr std::size_t kMaxCandidates = 50'000;       // Bounds the peak search.
-constexpr int kMinVotes = 2;                         // One plot alone is no line.
+constexpr std::int64_t kMaxCells = 200'000'000;  // 400 MB of votes.
+constexpr std::int64_t kMaxVotes = 200'000'000;  // A second or two.
+constexpr std::size_t kMaxCandidates = 50'000;   // Bounds the peak search.
+constexpr int kMinVotes = 2;                     // One plot alone is no line.
 
 }  // namespace
 
@@ -21,7 +21,8 @@ bool HtInitiator::refuse(const PlotWindow& window) {
     started_.refusal = "a grid of " + std::to_string(grid_.num_cells()) + " cells, accepted are " +
                        std::to_string(kMaxCells) + "; use a larger rho_step or theta_step";
   else if (static_cast<std::int64_t>(window.num_plots()) * grid_.num_theta() > kMaxVotes)
-    started_.refusal = "more than " + std::to_string(kMaxVotes) + " votes; use fewer plots or a larger theta_step";
+    started_.refusal =
+        "more than " + std::to_string(kMaxVotes) + " votes; use fewer plots or a larger theta_step";
   return !started_.refusal.empty();
 }
 
@@ -35,8 +36,8 @@ const StartedTracks& HtInitiator::start(const PlotWindow& window) {
   return started_;
 }
 
-/// Cells above the threshold; where a flood of clutter makes them too many, above the next threshold that leaves
-/// few enough: the strongest are searched first anyway.
+/// Cells above the threshold; where a flood of clutter makes them too many, above the next threshold that
+/// leaves few enough: the strongest are searched first anyway.
 void HtInitiator::collect_candidates() {
   const int most = votes_.most();
   int least = std::max(kMinVotes, static_cast<int>(std::ceil(params_.peak_threshold * most)));
@@ -44,16 +45,19 @@ void HtInitiator::collect_candidates() {
     candidates_.clear();
     votes_.collect(grid_, least, kMaxCandidates, candidates_);
   } while (candidates_.size() >= kMaxCandidates && ++least <= most);
-  std::erase_if(candidates_, [&](const csht::LineVote& c) { return !votes_.is_local_maximum(grid_, c.cell); });
+  std::erase_if(candidates_,
+                [&](const csht::LineVote& c) { return !votes_.is_local_maximum(grid_, c.cell); });
 }
 
 void HtInitiator::declare(const PlotWindow& window) {
   collect_candidates();
   for (const csht::LineVote& peak : csht::strongest_peaks(grid_, params_.peaks(), candidates_)) {
     const csht::NormalLine line = grid_.centre(peak.cell);
+    const Eigen::Vector2d normal = line.normal();
     builder_.clear();
     for (int i = 0; i < window.num_plots(); ++i) {
-      if (std::abs(line.offset_of(window.plot(i).position)) <= params_.rho_tolerance) builder_.add(i, 1.0);
+      if (std::abs(window.plot(i).position.dot(normal) - line.rho) <= params_.rho_tolerance)
+        builder_.add(i, 1.0);
     }
     builder_.build(window, line, params_.min_plots, params_.motion, peak.value, started_);
   }

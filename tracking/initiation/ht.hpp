@@ -10,9 +10,9 @@
 
 namespace lookout::tracking {
 
-/// The standard Hough transform: every plot of every scan votes once in every column of a dense grid; time and
-/// speed play no part. Cost: plots x columns, and the whole grid once. Refuses windows whose grid or whose
-/// votes exceed fixed bounds.
+/// The standard Hough transform: every plot of every scan votes once in every column of a dense grid; time
+/// and speed play no part. Cost: plots x columns, and the whole grid once. Refuses windows whose grid or
+/// whose votes exceed fixed bounds.
 class HtInitiator : public HoughInitiator {
  public:
   /// @throws std::invalid_argument on a value out of range.

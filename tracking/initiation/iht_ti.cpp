@@ -1,4 +1,5 @@
-// Source: Liu, Liu, Xiong, improved Hough transform with a motion prior, 2016, as described by [Fan2018] section V.
+// Source: Liu, Liu, Xiong, improved Hough transform with a motion prior, 2016, as described by [Fan2018]
+// section V.
 #include "tracking/initiation/iht_ti.hpp"
 
 #include "tracking/initiation/mht_ti.hpp"

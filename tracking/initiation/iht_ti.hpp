@@ -1,4 +1,5 @@
-// Source: Liu, Liu, Xiong, improved Hough transform with a motion prior, 2016, as described by [Fan2018] section V.
+// Source: Liu, Liu, Xiong, improved Hough transform with a motion prior, 2016, as described by [Fan2018]
+// section V.
 #pragma once
 
 #include <memory>
@@ -8,9 +9,9 @@
 
 namespace lookout::tracking {
 
-/// MHT-TI whose pairs must respect the speed limits, 100 to 400 m/s by default [Fan2018] section V. The original
-/// is not accessible; [Fan2018] describes it only by this. Keys: `min_speed`, `max_speed` and those of
-/// LineVotingParams. No variants.
+/// MHT-TI whose pairs must respect the speed limits, 100 to 400 m/s by default [Fan2018] section V. The
+/// original is not accessible; [Fan2018] describes it only by this. Keys: `min_speed`, `max_speed` and those
+/// of LineVotingParams. No variants.
 std::unique_ptr<Initiator> make_iht_ti(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

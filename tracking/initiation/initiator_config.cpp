@@ -6,14 +6,15 @@
 #include <stdexcept>
 
 #include "core/frames.hpp"
-#include "core/sonar_params.hpp"
 #include "core/yaml_reader.hpp"
 
 namespace lookout::tracking {
 namespace {
 
 void require(bool good, const char* field, double value, const char* accepted) {
-  if (!good) throw std::invalid_argument(std::string(field) + " must be " + accepted + ", got " + std::to_string(value));
+  if (!good)
+    throw std::invalid_argument(std::string(field) + " must be " + accepted + ", got " +
+                                std::to_string(value));
 }
 
 void require_positive(const std::optional<double>& value, const char* field) {
@@ -38,7 +39,8 @@ Eigen::Matrix2d polar_noise(const Eigen::Vector2d& offset, double range_sigma, d
   if (range == 0.0) return range_sigma * range_sigma * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d along = offset / range;
   const Eigen::Vector2d across(-along.y(), along.x());
-  // Closer than range_sigma / azimuth_sigma nothing is known better across than a thousandth of the range error.
+  // Closer than range_sigma / azimuth_sigma nothing is known better across than a thousandth of the range
+  // error.
   const double across_sigma = std::max(range * azimuth_sigma, 1e-3 * range_sigma);
   return range_sigma * range_sigma * along * along.transpose() +
          across_sigma * across_sigma * across * across.transpose();
@@ -57,7 +59,8 @@ void InitiatorConfig::validate() const {
     throw std::invalid_argument("range_sigma and azimuth_sigma must be given together, or neither");
   if (min_speed) require(*min_speed >= 0.0, "min_speed", *min_speed, ">= 0");
   if (max_speed) require(*max_speed > min_speed.value_or(0.0), "max_speed", *max_speed, "> min_speed");
-  if (acceleration_sigma) require(*acceleration_sigma >= 0.0, "acceleration_sigma", *acceleration_sigma, ">= 0");
+  if (acceleration_sigma)
+    require(*acceleration_sigma >= 0.0, "acceleration_sigma", *acceleration_sigma, ">= 0");
   if (window_scans) require(*window_scans >= 2, "window_scans", *window_scans, ">= 2");
   if (min_plots) require(*min_plots >= 2, "min_plots", *min_plots, ">= 2");
   require_positive(rho_step, "rho_step");
@@ -67,11 +70,13 @@ void InitiatorConfig::validate() const {
   require_positive(max_false_tracks, "max_false_tracks");
   require_positive(clutter_per_area, "clutter_per_area");
   if (theta_step)
-    require(*theta_step > 0.0 && *theta_step <= std::numbers::pi / 4, "theta_step", *theta_step, "in (0, pi/4]");
+    require(*theta_step > 0.0 && *theta_step <= std::numbers::pi / 4, "theta_step", *theta_step,
+            "in (0, pi/4]");
   if (peak_threshold)
     require(*peak_threshold > 0.0 && *peak_threshold <= 1.0, "peak_threshold", *peak_threshold, "in (0, 1]");
   if (gate_probability)
-    require(*gate_probability > 0.0 && *gate_probability < 1.0, "gate_probability", *gate_probability, "in (0, 1)");
+    require(*gate_probability > 0.0 && *gate_probability < 1.0, "gate_probability", *gate_probability,
+            "in (0, 1)");
   if (max_tracks) require(*max_tracks >= 1, "max_tracks", *max_tracks, ">= 1");
 }
 

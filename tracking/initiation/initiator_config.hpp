@@ -9,7 +9,6 @@
 
 namespace lookout::core {
 class YamlMap;
-struct SonarParams;
 }  // namespace lookout::core
 
 namespace lookout::tracking {
@@ -39,9 +38,9 @@ struct InitiatorConfig {
   std::optional<double> peak_threshold;   ///< Share of the highest peak that a peak needs, in (0, 1].
   std::optional<int> max_tracks;          ///< Most tracks of a window, >= 1.
 
-  std::optional<double> gate_probability;   ///< Share of true plots inside a gate of VCT, in (0, 1).
-  std::optional<double> max_false_tracks;   ///< False chains expected per window that VCT allows, > 0.
-  std::optional<double> clutter_per_area;   ///< False plots per scan and area [1/m^2], > 0; absent: estimated.
+  std::optional<double> gate_probability;  ///< Share of true plots inside a gate of VCT, in (0, 1).
+  std::optional<double> max_false_tracks;  ///< False chains expected per window that VCT allows, > 0.
+  std::optional<double> clutter_per_area;  ///< False plots per scan and area [1/m^2], > 0; absent: estimated.
 
   /// Covariance of a point at `position` [m] that came without one [m^2].
   Eigen::Matrix2d noise_at(const Eigen::Vector2d& position) const;
@@ -49,7 +48,8 @@ struct InitiatorConfig {
   void validate() const;
 };
 
-/// The variant of `config`, or the first of `accepted` where it names none; a method without variants accepts none.
+/// The variant of `config`, or the first of `accepted` where it names none; a method without variants accepts
+/// none.
 /// @throws std::invalid_argument naming what is accepted.
 std::string chosen_variant(const InitiatorConfig& config, const std::string& method,
                            std::initializer_list<const char*> accepted);
@@ -57,13 +57,9 @@ std::string chosen_variant(const InitiatorConfig& config, const std::string& met
 /// The speed limits of `config`, or those of the method's paper.
 SpeedLimits speed_limits(const InitiatorConfig& config, const SpeedLimits& of_paper);
 
-/// Overrides `config` with the keys that `map` holds (`azimuth_sigma_deg` and `theta_..._deg` in degrees), and
-/// calls map.finish(). @throws core::InputError on an unknown key or a value out of range.
+/// Overrides `config` with the keys that `map` holds (`azimuth_sigma_deg` and `theta_..._deg` in degrees),
+/// and calls map.finish(). @throws core::InputError on an unknown key or a value out of range.
 void read_initiator_config(const core::YamlMap& map, InitiatorConfig& config);
-
-/// The scales of a Hough grid and the speeds that suit a sonar, where `config` leaves them open.
-/// A window of `window_scans` scans at the sonar's period is too short for the radar defaults of the papers.
-InitiatorConfig scaled_to(const core::SonarParams& sonar, InitiatorConfig config);
 
 /// Covariance [m^2] of a position at `offset` [m] from the sensor, from its errors in range and azimuth: the
 /// first along the line of sight, the second times the range across it. A point at the sensor itself has the

@@ -10,12 +10,12 @@ namespace lookout::tracking {
 
 /// A plot that voted for a declared line.
 struct LineSupport {
-  int plot = 0;          ///< Index in the window.
-  double weight = 0.0;   ///< How strongly it voted.
+  int plot = 0;         ///< Index in the window.
+  double weight = 0.0;  ///< How strongly it voted.
 };
 
-/// Turns the plots of a declared line into a track: of each scan the plot that voted most strongly, the nearest
-/// to the line among equals, refitted.
+/// Turns the plots of a declared line into a track: of each scan the plot that voted most strongly, the
+/// nearest to the line among equals, refitted.
 class LineTrackBuilder {
  public:
   /// Forgets the line before.

@@ -47,8 +47,9 @@ LineVotingParams line_voting_params(const InitiatorConfig& config) {
 csht::LineGrid grid_over(const PlotWindow& window, const LineVotingParams& params) {
   const double half_rows = std::ceil(largest_distance(window) / params.rho_step) + 1.0;
   if (2.0 * half_rows > kMaxRows)
-    throw std::invalid_argument("rho_step must be >= " + std::to_string(2.0 * largest_distance(window) / kMaxRows) +
-                                " for these plots, got " + std::to_string(params.rho_step));
+    throw std::invalid_argument(
+        "rho_step must be >= " + std::to_string(2.0 * largest_distance(window) / kMaxRows) +
+        " for these plots, got " + std::to_string(params.rho_step));
   const int num_theta = std::max(1, static_cast<int>(std::ceil(std::numbers::pi / params.theta_step)));
   return {num_theta, 2 * static_cast<int>(half_rows), half_rows * params.rho_step};
 }
@@ -65,18 +66,38 @@ bool is_local_maximum(const csht::LineGrid& grid, const csht::SparseAccumulator&
   return true;
 }
 
-std::span<const csht::LineVote> declared_lines(const csht::LineGrid& grid, const csht::SparseAccumulator& votes,
+std::span<const csht::LineVote> declared_lines(const csht::LineGrid& grid,
+                                               const csht::SparseAccumulator& votes,
                                                const LineVotingParams& params,
                                                std::vector<csht::LineVote>& candidates) {
   candidates.clear();
   double highest = 0.0;
   for (const auto& entry : votes.entries()) highest = std::max(highest, entry.total());
   if (highest <= 0.0) return {};
+  const double least = std::max(params.min_votes, params.peak_threshold * highest);
   for (const auto& entry : votes.entries()) {
-    if (entry.total() >= params.peak_threshold * highest && is_local_maximum(grid, votes, entry))
+    if (entry.total() >= least && is_local_maximum(grid, votes, entry))
       candidates.push_back({grid.cell_at(entry.key), entry.total()});
   }
   return csht::strongest_peaks(grid, params.peaks(), candidates);
+}
+
+void declare_tracks(const PlotWindow& window, const csht::LineGrid& grid,
+                    const csht::SparseAccumulator& votes, const std::vector<PairPoint>& pairs,
+                    const LineVotingParams& params, std::vector<csht::LineVote>& candidates,
+                    LineTrackBuilder& builder, StartedTracks& started) {
+  const double theta_reach = 2.0 * params.theta_tolerance;
+  const double rho_reach = 2.0 * params.rho_tolerance;
+  for (const csht::LineVote& peak : declared_lines(grid, votes, params, candidates)) {
+    const csht::NormalLine line = grid.centre(peak.cell);
+    builder.clear();
+    for_pairs_near(pairs, line, theta_reach, rho_reach, [&](const PairPoint& pair, const csht::NormalLine&) {
+      builder.add(pair.older, pair.weight);
+      builder.add(pair.newer, pair.weight);
+    });
+    builder.build(window, line, params.min_plots, params.motion, peak.value, started);
+  }
+  started.survivors = started.plots;
 }
 
 void append_votes(const csht::LineGrid& grid, const csht::SparseAccumulator& votes,

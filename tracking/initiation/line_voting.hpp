@@ -7,20 +7,22 @@
 #include "csht/sparse_accumulator.hpp"
 #include "tracking/initiation/initiator_config.hpp"
 #include "tracking/initiation/line_track.hpp"
+#include "tracking/initiation/pair_points.hpp"
 
 namespace lookout::tracking {
 
 /// What the Hough methods of [Fan2018] share: the grid of lines and the rule that declares its peaks.
 struct LineVotingParams {
-  double rho_step = 5.0;            ///< [m], > 0. [Fan2018] section V.
-  double theta_step = 0.001;        ///< [rad], in (0, pi/4]; rounded so that whole columns fill pi.
-  double rho_tolerance = 20.0;      ///< e_r [m], > 0. [Fan2018] section V.
-  double theta_tolerance = 0.004;   ///< e_theta [rad], > 0. [Fan2018] section V.
-  double peak_threshold = 0.5;      ///< Share of the highest peak, in (0, 1]. The paper gives none; nht.md 5.
-  int min_plots = 3;                ///< Scans that a line's plots must come from, >= 2.
-  int max_tracks = 500;             ///< The strongest lines that are declared, >= 1.
-  int window_scans = 7;             ///< [Fan2018] section V.
-  MotionModelParams motion{0.0};    ///< Of the refit.
+  double rho_step = 5.0;           ///< [m], > 0. [Fan2018] section V.
+  double theta_step = 0.001;       ///< [rad], in (0, pi/4]; rounded so that whole columns fill pi.
+  double rho_tolerance = 20.0;     ///< e_r [m], > 0. [Fan2018] section V.
+  double theta_tolerance = 0.004;  ///< e_theta [rad], > 0. [Fan2018] section V.
+  double min_votes = 0.0;          ///< Votes that a peak needs besides, >= 0.
+  double peak_threshold = 0.5;     ///< Share of the highest peak, in (0, 1]. The paper gives none; nht.md 5.
+  int min_plots = 3;               ///< Scans that a line's plots must come from, >= 2.
+  int max_tracks = 500;            ///< The strongest lines that are declared, >= 1.
+  int window_scans = 7;            ///< [Fan2018] section V.
+  MotionModelParams motion{0.0};   ///< Of the refit.
 
   /// Rows and columns of the neighbourhood that one line fills, two tolerances [Fan2018] Eq. (28).
   int rho_radius() const;
@@ -40,12 +42,21 @@ csht::LineGrid grid_over(const PlotWindow& window, const LineVotingParams& param
 bool is_local_maximum(const csht::LineGrid& grid, const csht::SparseAccumulator& votes,
                       const csht::SparseAccumulator::Entry& entry);
 
-/// The declared lines of a sparse accumulator: local maxima of at least `peak_threshold` of the highest, one per
-/// neighbourhood. [Fan2018] section IV.
+/// The declared lines of a sparse accumulator: local maxima of at least `peak_threshold` of the highest, one
+/// per neighbourhood. [Fan2018] section IV.
 /// @param candidates scratch memory, overwritten; the result points into it.
-std::span<const csht::LineVote> declared_lines(const csht::LineGrid& grid, const csht::SparseAccumulator& votes,
+std::span<const csht::LineVote> declared_lines(const csht::LineGrid& grid,
+                                               const csht::SparseAccumulator& votes,
                                                const LineVotingParams& params,
                                                std::vector<csht::LineVote>& candidates);
+
+/// Declares the tracks of a sparse accumulator: the pairs in the neighbourhood of each declared line choose
+/// its plots.
+/// @param pairs the voters, sorted by theta. @param candidates, builder scratch memory.
+void declare_tracks(const PlotWindow& window, const csht::LineGrid& grid,
+                    const csht::SparseAccumulator& votes, const std::vector<PairPoint>& pairs,
+                    const LineVotingParams& params, std::vector<csht::LineVote>& candidates,
+                    LineTrackBuilder& builder, StartedTracks& started);
 
 /// Appends every cell with votes to `cells`.
 void append_votes(const csht::LineGrid& grid, const csht::SparseAccumulator& votes,

@@ -10,9 +10,9 @@
 
 namespace lookout::tracking {
 
-/// Every pair of plots of consecutive scans votes once, for the line through it. The pairs that the speed limits
-/// refuse do not vote: without limits this is MHT-TI, with limits IHT-TI.
-/// Cost: pairs. Refuses windows of more than `kMaxPairs` pairs.
+/// Every pair of plots of consecutive scans votes once, for the line through it. The pairs that the speed
+/// limits refuse do not vote: without limits this is MHT-TI, with limits IHT-TI. A peak needs two votes: one
+/// pair alone is no line. Cost: pairs. Refuses windows of more than `kMaxPairs` pairs.
 class PairVotingInitiator : public HoughInitiator {
  public:
   static constexpr std::int64_t kMaxPairs = 2'000'000;  ///< About 200 MB and a second.
@@ -27,7 +27,6 @@ class PairVotingInitiator : public HoughInitiator {
 
  private:
   bool vote(const PlotWindow& window);
-  void declare(const PlotWindow& window);
 
   LineVotingParams params_;
   PairFormation formation_;
@@ -38,9 +37,6 @@ class PairVotingInitiator : public HoughInitiator {
   LineTrackBuilder builder_;
   StartedTracks started_;
 };
-
-/// Whether the line of a pair lies in the neighbourhood that a declared line fills, [Fan2018] Eq. (28).
-bool voted_for(const csht::NormalLine& pair, const csht::NormalLine& declared, const LineVotingParams& params);
 
 /// Keys: those of LineVotingParams. No variants.
 std::unique_ptr<Initiator> make_mht_ti(const InitiatorConfig& config);

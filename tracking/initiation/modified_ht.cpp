@@ -1,4 +1,5 @@
-// Source: modified Hough transform of Chen and He (velocity triples), as compared against by [Zeng2023] section 3.2.
+// Source: modified Hough transform of Chen and He (velocity triples), as compared against by [Zeng2023]
+// section 3.2.
 #include "tracking/initiation/modified_ht.hpp"
 
 #include <array>
@@ -25,7 +26,8 @@ const StartedTracks& ModifiedHtInitiator::start(const PlotWindow& window) {
   for (int i = window.first(last - 2); i < window.end(last - 2) && started_.refusal.empty(); ++i) {
     const Eigen::Vector2d from = window.plot(i).position;
     middle_.near(from, params_.speeds.max * seconds, [&](int j) {
-      if (in_annulus(window.plot(j).position - from, seconds, params_.speeds, 0.0)) extend_pair(window, last, i, j);
+      if (in_annulus(window.plot(j).position - from, seconds, params_.speeds, 0.0))
+        extend_pair(window, last, i, j);
     });
   }
   if (!started_.refusal.empty()) {
@@ -42,7 +44,8 @@ void ModifiedHtInitiator::extend_pair(const PlotWindow& window, int scan, int fi
   const double seconds = window.time(scan) - window.time(scan - 1);
   newest_.near(from, params_.speeds.max * seconds, [&](int k) {
     const Eigen::Vector2d next = window.plot(k).position - from;
-    if (!in_annulus(next, seconds, params_.speeds, 0.0) || angle_between(leg, next) > params_.max_angle) return;
+    if (!in_annulus(next, seconds, params_.speeds, 0.0) || angle_between(leg, next) > params_.max_angle)
+      return;
     if (static_cast<std::int64_t>(started_.tracks.size()) < params_.max_triples)
       add_track(window, std::array{first, second, k}, params_.motion, 3.0, started_);
     else

@@ -1,4 +1,5 @@
-// Source: modified Hough transform of Chen and He (velocity triples), as compared against by [Zeng2023] section 3.2.
+// Source: modified Hough transform of Chen and He (velocity triples), as compared against by [Zeng2023]
+// section 3.2.
 #pragma once
 
 #include <cstdint>
@@ -14,15 +15,15 @@ namespace lookout::tracking {
 
 struct ModifiedHtParams {
   SpeedLimits speeds = kZengSpeeds;
-  double max_angle = 0.471238898;  ///< Between the two legs [rad], in (0, pi): 30 columns of 0.9 degrees.
+  double max_angle = 0.471238898;      ///< Between the two legs [rad], in (0, pi): 30 columns of 0.9 degrees.
   std::int64_t max_triples = 500'000;  ///< More are refused, >= 1: bounds time and memory.
   MotionModelParams motion{1.0};       ///< Of the refit.
 };
 
-/// Every triple of plots of the last three scans whose two speeds are allowed and whose legs point the same way is
-/// a track; no misses. The paper scans theta for the zero crossings of rho2 - rho1 and rho3 - rho2; the crossings
-/// are the directions of the legs, and the rule on the signs of the slopes says that the motion does not reverse.
-/// Cost: plots x gate^2.
+/// Every triple of plots of the last three scans whose two speeds are allowed and whose legs point the same
+/// way is a track; no misses. The paper scans theta for the zero crossings of rho2 - rho1 and rho3 - rho2;
+/// the crossings are the directions of the legs, and the rule on the signs of the slopes says that the motion
+/// does not reverse. Cost: plots x gate^2.
 class ModifiedHtInitiator : public Initiator {
  public:
   /// @throws std::invalid_argument on a value out of range.

@@ -24,7 +24,7 @@ const StartedTracks& ModifiedLogicInitiator::start(const PlotWindow& window) {
     if (track.num_plots < params_.min_plots) continue;
     add_track(window, track.plot_indices(), params_.gates.motion, track.num_plots, started_);
   }
-  started_.survivors = started_.plots;
+  gates_.append_survivors(started_.survivors);
   return started_;
 }
 

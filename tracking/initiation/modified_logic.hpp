@@ -10,13 +10,13 @@
 namespace lookout::tracking {
 
 struct ModifiedLogicParams {
-  GateLogicParams gates;    ///< Ellipse only, from the last two plots.
-  int min_plots = 3;        ///< Plots of a track, >= 2: three of four.
+  GateLogicParams gates;  ///< Ellipse only, from the last two plots.
+  int min_plots = 3;      ///< Plots of a track, >= 2: three of four.
   int window_scans = 4;
 };
 
-/// Logic-based initiation: an annulus, then the ellipse and the largest turn around the straight continuation of
-/// the last two plots, nearest plot first; enough plots make a track. Cost: plots x gate.
+/// Logic-based initiation: an annulus, then the ellipse and the largest turn around the straight continuation
+/// of the last two plots, nearest plot first; enough plots make a track. Cost: plots x gate.
 class ModifiedLogicInitiator : public Initiator {
  public:
   /// @throws std::invalid_argument on a value out of range.
@@ -31,8 +31,8 @@ class ModifiedLogicInitiator : public Initiator {
   StartedTracks started_;
 };
 
-/// Keys: `min_speed`, `max_speed`, `acceleration_sigma`, `min_plots`, `window_scans`. Variants: `polar` (default:
-/// the plots' own noise) and `isotropic` (25000 m^2 along both axes, as in the authors' program).
+/// Keys: `min_speed`, `max_speed`, `acceleration_sigma`, `min_plots`, `window_scans`. Variants: `polar`
+/// (default: the plots' own noise) and `isotropic` (25000 m^2 along both axes, as in the authors' program).
 std::unique_ptr<Initiator> make_modified_logic(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

@@ -1,4 +1,5 @@
-// Source: our own, NHT+: the voting of [Fan2018] with tolerances from the noise and with speed; docs/initiators.md.
+// Source: our own, NHT+: the voting of [Fan2018] with tolerances from the noise and with speed;
+// docs/initiators.md.
 #include "tracking/initiation/nht_plus.hpp"
 
 #include <algorithm>
@@ -25,15 +26,19 @@ double sigma_of(const Plot& plot) {
   return std::sqrt(0.5 * plot.noise.trace());
 }
 
-double smallest_sigma(const PlotWindow& window) {
-  double smallest = std::numeric_limits<double>::infinity();
-  for (const Plot& plot : window.plots()) smallest = std::min(smallest, sigma_of(plot));
-  return smallest;
+/// The noise of the window's plots, of which half are better: few very accurate ones must not set the grid.
+double median_sigma(const PlotWindow& window, std::vector<double>& sigmas) {
+  sigmas.clear();
+  for (const Plot& plot : window.plots()) sigmas.push_back(sigma_of(plot));
+  const auto middle = sigmas.begin() + static_cast<std::ptrdiff_t>(sigmas.size() / 2);
+  std::nth_element(sigmas.begin(), middle, sigmas.end());
+  return *middle;
 }
 
 double longest_step(const PlotWindow& window) {
   double longest = 0.0;
-  for (int k = 1; k < window.num_scans(); ++k) longest = std::max(longest, window.time(k) - window.time(k - 1));
+  for (int k = 1; k < window.num_scans(); ++k)
+    longest = std::max(longest, window.time(k) - window.time(k - 1));
   return longest;
 }
 
@@ -66,11 +71,12 @@ void NhtPlusInitiator::prepare(const PlotWindow& window) {
   origin_ = middle_of(window);
   double distance = 1.0;
   for (const Plot& plot : window.plots()) distance = std::max(distance, (plot.position - origin_).norm());
-  const double sigma = params_.acceleration_factor * smallest_sigma(window);
+  const double sigma = params_.acceleration_factor * median_sigma(window, sigmas_);
   const double theta_sigma = std::numbers::sqrt2 * sigma / (params_.speeds.max * longest_step(window));
   const double rho_step = std::max(sigma / params_.rho_cells_per_sigma, 2.0 * distance / kMaxRows);
   const double theta_step = theta_sigma / params_.theta_cells_per_sigma;
-  const double half_rows = std::ceil(distance / rho_step) + params_.rho_cells_per_sigma * params_.reach_sigmas + 1.0;
+  const double half_rows =
+      std::ceil(distance / rho_step) + params_.rho_cells_per_sigma * params_.reach_sigmas + 1.0;
   const double columns = std::clamp(std::ceil(std::numbers::pi / theta_step), 8.0, 1.0 * kMaxColumns);
   grid_ = {static_cast<int>(columns), 2 * static_cast<int>(half_rows), half_rows * rho_step};
   layer_step_ = 0.5 * params_.speed_bin_sigmas * std::numbers::sqrt2 * sigma / longest_step(window);
@@ -82,25 +88,26 @@ NhtPlusInitiator::PairVote NhtPlusInitiator::measured(const PlotWindow& window, 
   const Plot& b = window.plot(pair.newer);
   const Eigen::Vector2d displacement = b.position - a.position;
   const double sigma = params_.acceleration_factor * std::sqrt(0.25 * (a.noise + b.noise).trace());
-  return {pair, 0.5 * (a.position + b.position) - origin_, displacement, b.time - a.time, sigma,
-          std::min(std::numbers::sqrt2 * sigma / displacement.norm(), std::numbers::pi / 4)};
+  return {pair,         0.5 * (a.position + b.position) - origin_,
+          displacement, b.time - a.time,
+          sigma,        std::min(std::numbers::sqrt2 * sigma / displacement.norm(), std::numbers::pi / 4)};
 }
 
 bool NhtPlusInitiator::vote(const PlotWindow& window) {
   formation_.restart();
-  for (int scan = 1; scan < window.num_scans(); ++scan) {
-    const auto& step = formation_.form(window, scan, origin_);
-    for (const PairPoint& pair : step) {
-      if (votes_.entries().size() > kMaxCells) break;
+  for (int scan = 1; scan < window.num_scans() && !formation_.exceeded(); ++scan) {
+    for (const PairPoint& pair : formation_.form(window, scan, origin_))
       pairs_.push_back(measured(window, pair));
-      vote_pair(pairs_.back(), scan);
-    }
-    if (formation_.exceeded()) started_.refusal = formation_.refusal();
-    if (votes_.entries().size() > kMaxCells)
-      started_.refusal = "more than " + std::to_string(kMaxCells) + " cells with votes; use vct, or fewer plots";
-    if (!started_.refusal.empty()) return false;
   }
-  return true;
+  if (formation_.exceeded()) started_.refusal = formation_.refusal();
+  for (const PairVote& pair : pairs_) {
+    if (!started_.refusal.empty()) return false;
+    vote_pair(pair, window.plot(pair.pair.newer).scan);
+    if (votes_.entries().size() > kMaxCells)
+      started_.refusal =
+          "more than " + std::to_string(kMaxCells) + " cells with votes; use vct, or fewer plots";
+  }
+  return started_.refusal.empty();
 }
 
 void NhtPlusInitiator::vote_pair(const PairVote& pair, int step) {
@@ -138,7 +145,8 @@ std::int64_t NhtPlusInitiator::key_of(const csht::LineCell& cell, int layer) con
 
 csht::LineVote NhtPlusInitiator::vote_at(const csht::SparseAccumulator::Entry& entry) const {
   const int layers = 2 * max_layer_ + 1;
-  return {grid_.cell_at(entry.key / layers), entry.total(), static_cast<int>(entry.key % layers) - max_layer_};
+  return {grid_.cell_at(entry.key / layers), entry.total(),
+          static_cast<int>(entry.key % layers) - max_layer_};
 }
 
 bool NhtPlusInitiator::is_local_maximum(const csht::LineVote& vote) const {
@@ -146,7 +154,8 @@ bool NhtPlusInitiator::is_local_maximum(const csht::LineVote& vote) const {
     for (int j = -1; j <= 1; ++j) {
       const csht::LineCell beside = grid_.wrapped({vote.cell.theta + i, vote.cell.rho + j});
       const bool turned = vote.cell.theta + i != beside.theta;
-      if (grid_.contains(beside) && votes_.value(key_of(beside, turned ? -vote.layer : vote.layer)) > vote.value)
+      if (grid_.contains(beside) &&
+          votes_.value(key_of(beside, turned ? -vote.layer : vote.layer)) > vote.value)
         return false;
     }
   }

@@ -1,4 +1,5 @@
-// Source: our own, NHT+: the voting of [Fan2018] with tolerances from the noise and with speed; docs/initiators.md.
+// Source: our own, NHT+: the voting of [Fan2018] with tolerances from the noise and with speed;
+// docs/initiators.md.
 #pragma once
 
 #include <cstdint>
@@ -16,26 +17,26 @@ namespace lookout::tracking {
 struct NhtPlusParams {
   SpeedLimits speeds = kFanSpeeds;
   MotionModelParams motion{0.0};
-  double acceleration_factor = 1.5;   ///< Widens the tolerances where the motion is not straight, >= 1.
-  double reach_sigmas = 2.0;          ///< How far a pair votes, in its sigmas, > 0. [Fan2018] Eq. (28).
-  double theta_cells_per_sigma = 8.0; ///< Fineness of the grid for the fastest pair, > 0.
-  double rho_cells_per_sigma = 2.0;   ///< Likewise along rho, > 0.
-  double speed_bin_sigmas = 3.0;      ///< Width of a speed bin in sigmas of a pair's speed, > 0.
-  double peak_threshold = 0.5;        ///< Share of one full vote a step that a peak needs, in (0, 1].
-  double chain_probability = 0.99;    ///< Share of true tracks whose chi-square passes, in (0, 1).
-  int min_plots = 5;                  ///< Scans that a track's plots must come from, >= 3.
-  int max_tracks = 500;               ///< The strongest peaks that are tried, >= 1.
-  int window_scans = 7;               ///< [Fan2018] section V.
+  double acceleration_factor = 1.5;    ///< Widens the tolerances where the motion is not straight, >= 1.
+  double reach_sigmas = 2.0;           ///< How far a pair votes, in its sigmas, > 0. [Fan2018] Eq. (28).
+  double theta_cells_per_sigma = 8.0;  ///< Fineness of the grid for the fastest pair, > 0.
+  double rho_cells_per_sigma = 2.0;    ///< Likewise along rho, > 0.
+  double speed_bin_sigmas = 3.0;       ///< Width of a speed bin in sigmas of a pair's speed, > 0.
+  double peak_threshold = 0.35;        ///< Share of one full vote a step that a peak needs, in (0, 1].
+  double chain_probability = 0.99;     ///< Share of true tracks whose chi-square passes, in (0, 1).
+  int min_plots = 5;                   ///< Scans that a track's plots must come from, >= 3.
+  int max_tracks = 500;                ///< The strongest peaks that are tried, >= 1.
+  int window_scans = 7;                ///< [Fan2018] section V.
 };
 
-/// Pairs of plots vote for lines as far as their noise lets the line turn about the pair's middle, and for their
-/// speed along it; a cell gets the largest vote of each step. The origin is the middle of the window, so that no
-/// lever arm enters. A peak whose plots fit one constant velocity is a track; one plot serves one track.
-/// Cost: pairs x cells of their neighbourhood. Refuses windows of more than `kMaxVotes` votes.
+/// Pairs of plots vote for lines as far as their noise lets the line turn about the pair's middle, and for
+/// their speed along it; a cell gets the largest vote of each step. The origin is the middle of the window,
+/// so that no lever arm enters. A peak whose plots fit one constant velocity is a track; one plot serves one
+/// track. Cost: pairs x cells of their neighbourhood. Refuses windows of more than `kMaxVotes` votes.
 class NhtPlusInitiator : public HoughInitiator {
  public:
-  static constexpr std::size_t kMaxPairs = 100'000;        ///< A few seconds.
-  static constexpr std::size_t kMaxCells = 20'000'000;     ///< About a gigabyte.
+  static constexpr std::size_t kMaxPairs = 100'000;     ///< A few seconds.
+  static constexpr std::size_t kMaxCells = 20'000'000;  ///< About a gigabyte.
 
   /// @throws std::invalid_argument on a value out of range.
   explicit NhtPlusInitiator(const NhtPlusParams& params);
@@ -81,6 +82,7 @@ class NhtPlusInitiator : public HoughInitiator {
   std::vector<csht::LineVote> candidates_;
   std::size_t num_peaks_ = 0;
   std::vector<char> used_;
+  std::vector<double> sigmas_;
   LineTrackBuilder builder_;
   StartedTracks started_;
 };

@@ -1,12 +1,10 @@
-// Source: Fan, Xie, Pei, Hu, Li, "Neutrosophic Hough Transform-Based Track Initiation ...", IEEE Access, 2018.
+// Source: Fan, Xie, Pei, Hu, Li, "Neutrosophic Hough Transform-Based Track Initiation ...", IEEE Access,
+// 2018.
 #include "tracking/initiation/nht_ti.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
-
-#include "tracking/initiation/mht_ti.hpp"
 
 namespace lookout::tracking {
 
@@ -20,7 +18,9 @@ NhtTiInitiator::NhtTiInitiator(const NhtTiParams& params)
 const StartedTracks& NhtTiInitiator::start(const PlotWindow& window) {
   started_.clear();
   grid_ = grid_over(window, params_.lines);
-  if (vote(window)) declare(window);
+  if (!vote(window)) return started_;
+  sort_by_theta(voters_);
+  declare_tracks(window, grid_, votes_, voters_, params_.lines, candidates_, builder_, started_);
   return started_;
 }
 
@@ -44,15 +44,15 @@ void NhtTiInitiator::take_step(const std::vector<PairPoint>& step) {
   for (const PairPoint& pair : step) {
     const double weight = degree_of(pair);
     if (weight < params_.least_vote) continue;
-    voters_.push_back({pair, weight});
+    voters_.push_back(pair);
+    voters_.back().weight = weight;
     if (params_.vote == NhtVote::cell)
       votes_.add(grid_.index(grid_.cell_of(pair.line)), weight);
     else
       spread_vote(pair.line, weight);
   }
   kernels_ = step;
-  std::sort(kernels_.begin(), kernels_.end(),
-            [](const PairPoint& a, const PairPoint& b) { return a.line.theta < b.line.theta; });
+  sort_by_theta(kernels_);
 }
 
 /// Eq. (15), (27): how well two lines agree.
@@ -62,13 +62,18 @@ double NhtTiInitiator::membership(const csht::NormalLine& apart) const {
   return std::exp(-0.5 * (rho * rho + theta * theta));
 }
 
-/// mu_C of Eq. (24): the maximum of the three degrees, and 1 - P_F where no step before can tell.
+/// mu_C of Eq. (24): the maximum of the three degrees, and 1 - P_F where no step before can tell. The kernels
+/// are those inside the neighbourhood of Eq. (28).
 double NhtTiInitiator::degree_of(const PairPoint& pair) {
   if (kernels_.empty()) return 1.0 - params_.false_alarm_probability;
-  find_kernels(pair);
-  std::sort(competing_.begin(), competing_.end(), [this](const csht::NormalLine& a, const csht::NormalLine& b) {
-    return membership(a) > membership(b);
-  });
+  competing_.clear();
+  for_pairs_near(kernels_, pair.line, 2.0 * params_.lines.theta_tolerance, 2.0 * params_.lines.rho_tolerance,
+                 [&](const PairPoint& kernel, const csht::NormalLine& apart) {
+                   if (!params_.chained || kernel.newer == pair.older) competing_.push_back(apart);
+                 });
+  std::sort(
+      competing_.begin(), competing_.end(),
+      [this](const csht::NormalLine& a, const csht::NormalLine& b) { return membership(a) > membership(b); });
   const double is_true = competing_.empty() ? 0.0 : membership(competing_[0]);  // Eq. (27)
   double is_uncertain = 0.0;
   if (competing_.size() >= 2) {
@@ -80,23 +85,6 @@ double NhtTiInitiator::degree_of(const PairPoint& pair) {
   const double probability = params_.false_alarm_probability;
   const double is_false = params_.false_degree_factor * probability * probability;  // Eq. (29)
   return std::max({is_true, is_uncertain, is_false});
-}
-
-/// Kernels inside the neighbourhood of Eq. (28), over both ends of theta.
-void NhtTiInitiator::find_kernels(const PairPoint& pair) {
-  competing_.clear();
-  const double reach = 2.0 * params_.lines.theta_tolerance;
-  for (const double turn : {-std::numbers::pi, 0.0, std::numbers::pi}) {
-    const double low = pair.line.theta + turn - reach;
-    auto kernel = std::lower_bound(kernels_.begin(), kernels_.end(), low,
-                                   [](const PairPoint& k, double theta) { return k.line.theta < theta; });
-    for (; kernel != kernels_.end() && kernel->line.theta <= low + 2.0 * reach; ++kernel) {
-      const csht::NormalLine apart = csht::line_difference(kernel->line, pair.line);
-      if (std::abs(apart.rho) > 2.0 * params_.lines.rho_tolerance) continue;
-      if (params_.chained && kernel->newer != pair.older) continue;
-      competing_.push_back(apart);
-    }
-  }
 }
 
 /// mu_C times the membership of every cell of the neighbourhood, Eq. (15).
@@ -115,20 +103,6 @@ void NhtTiInitiator::spread_vote(const csht::NormalLine& line, double weight) {
         votes_.add(grid_.index(cell), column_weight * row_membership_[static_cast<std::size_t>(j + rows)]);
     }
   }
-}
-
-void NhtTiInitiator::declare(const PlotWindow& window) {
-  for (const csht::LineVote& peak : declared_lines(grid_, votes_, params_.lines, candidates_)) {
-    const csht::NormalLine line = grid_.centre(peak.cell);
-    builder_.clear();
-    for (const WeightedPair& voter : voters_) {
-      if (!voted_for(voter.pair.line, line, params_.lines)) continue;
-      builder_.add(voter.pair.older, voter.weight);
-      builder_.add(voter.pair.newer, voter.weight);
-    }
-    builder_.build(window, line, params_.lines.min_plots, params_.lines.motion, peak.value, started_);
-  }
-  started_.survivors = started_.plots;
 }
 
 void NhtTiInitiator::append_cells(std::vector<csht::LineVote>& cells) const {

@@ -1,4 +1,5 @@
-// Source: Fan, Xie, Pei, Hu, Li, "Neutrosophic Hough Transform-Based Track Initiation ...", IEEE Access, 2018.
+// Source: Fan, Xie, Pei, Hu, Li, "Neutrosophic Hough Transform-Based Track Initiation ...", IEEE Access,
+// 2018.
 #pragma once
 
 #include <memory>
@@ -13,24 +14,24 @@ namespace lookout::tracking {
 /// Which cells a pair votes for.
 enum class NhtVote {
   cell,   ///< Its own alone: Eq. (23), (31) to the letter.
-  spread  ///< All of its neighbourhood, with the membership of Eq. (15): the abstract; the only one that gives
-          ///< the paper's Table 2.
+  spread  ///< All of its neighbourhood, with the membership of Eq. (15): the abstract; the only one that
+          ///< gives the paper's Table 2.
 };
 
 struct NhtTiParams {
   LineVotingParams lines;
   SpeedLimits speeds = kFanSpeeds;
   NhtVote vote = NhtVote::spread;
-  bool chained = false;                    ///< A kernel counts only for pairs that begin at its newer plot.
-  double false_alarm_probability = 0.01;   ///< P_F, in [0, 1). [Fan2018] section V.
-  double false_degree_factor = 1.0;        ///< lambda_k of Eq. (29), >= 0; the paper gives no value.
-  double least_vote = 1e-3;                ///< Weaker votes are left out, >= 0.
+  bool chained = false;                   ///< A kernel counts only for pairs that begin at its newer plot.
+  double false_alarm_probability = 0.01;  ///< P_F, in [0, 1). [Fan2018] section V.
+  double false_degree_factor = 1.0;       ///< lambda_k of Eq. (29), >= 0; the paper gives no value.
+  double least_vote = 1e-3;               ///< Weaker votes are left out, >= 0.
 };
 
-/// The neutrosophic Hough transform: a pair of plots votes as strongly as the pairs of the step before agree with
-/// it: the largest of its degrees of true, uncertain and false association.
-/// Cost: pairs x (pairs of the step before with nearly the same theta + cells of the neighbourhood). Refuses
-/// windows of more than `kMaxPairs` pairs.
+/// The neutrosophic Hough transform: a pair of plots votes as strongly as the pairs of the step before agree
+/// with it: the largest of its degrees of true, uncertain and false association. Cost: pairs x (pairs of the
+/// step before with nearly the same theta + cells of the neighbourhood). Refuses windows of more than
+/// `kMaxPairs` pairs.
 class NhtTiInitiator : public HoughInitiator {
  public:
   static constexpr std::int64_t kMaxPairs = 200'000;  ///< About a second.
@@ -44,26 +45,19 @@ class NhtTiInitiator : public HoughInitiator {
   void append_cells(std::vector<csht::LineVote>& cells) const override;
 
  private:
-  struct WeightedPair {
-    PairPoint pair;
-    double weight = 0.0;  ///< mu_C.
-  };
-
   bool vote(const PlotWindow& window);
   void take_step(const std::vector<PairPoint>& step);
   double degree_of(const PairPoint& pair);
-  void find_kernels(const PairPoint& pair);
   void spread_vote(const csht::NormalLine& line, double weight);
   double membership(const csht::NormalLine& apart) const;
-  void declare(const PlotWindow& window);
 
   NhtTiParams params_;
   PairFormation formation_;
   csht::LineGrid grid_;
   csht::SparseAccumulator votes_;
-  std::vector<PairPoint> kernels_;            ///< Pairs of the step before, by rising theta.
-  std::vector<csht::NormalLine> competing_;   ///< Kernels around the pair at hand, relative to it.
-  std::vector<WeightedPair> voters_;
+  std::vector<PairPoint> kernels_;           ///< Pairs of the step before, by rising theta.
+  std::vector<csht::NormalLine> competing_;  ///< Kernels around the pair at hand, relative to it.
+  std::vector<PairPoint> voters_;
   std::vector<double> row_membership_;
   std::vector<csht::LineVote> candidates_;
   LineTrackBuilder builder_;

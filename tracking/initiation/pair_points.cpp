@@ -1,7 +1,6 @@
 #include "tracking/initiation/pair_points.hpp"
 
-#include <cmath>
-#include <string>
+#include <tuple>
 
 namespace lookout::tracking {
 
@@ -33,6 +32,12 @@ const std::vector<PairPoint>& PairFormation::form(const PlotWindow& window, int 
     }
   }
   return pairs_;
+}
+
+void sort_by_theta(std::vector<PairPoint>& pairs) {
+  std::sort(pairs.begin(), pairs.end(), [](const PairPoint& a, const PairPoint& b) {
+    return std::tuple(a.line.theta, a.older, a.newer) < std::tuple(b.line.theta, b.older, b.newer);
+  });
 }
 
 std::string PairFormation::refusal() const {

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <numbers>
+#include <string>
 #include <vector>
 
 #include "csht/line_geometry.hpp"
@@ -15,6 +19,7 @@ struct PairPoint {
   int older = 0;  ///< Index of the plot in the window.
   int newer = 0;
   csht::NormalLine line;
+  double weight = 1.0;  ///< How strongly it votes.
 };
 
 /// Forms the temporary tracks between the scans of a window.
@@ -25,8 +30,8 @@ class PairFormation {
 
   /// Starts a new window.
   void restart() { total_ = 0; }
-  /// All pairs of a plot of scan - 1 and one of `scan` that the speeds allow, relative to `origin`; coinciding
-  /// plots form none. Without a finite speed limit that is every pair. [Fan2018] Eq. (20).
+  /// All pairs of a plot of scan - 1 and one of `scan` that the speeds allow, relative to `origin`;
+  /// coinciding plots form none. Without a finite speed limit that is every pair. [Fan2018] Eq. (20).
   /// @return valid until the next call; incomplete once `exceeded()`.
   const std::vector<PairPoint>& form(const PlotWindow& window, int scan, const Eigen::Vector2d& origin);
   bool exceeded() const { return total_ > max_pairs_; }
@@ -42,5 +47,25 @@ class PairFormation {
   PlotIndex index_;
   std::vector<PairPoint> pairs_;
 };
+
+/// Sorts pairs by theta, so that those near a line are found without a look at the rest.
+void sort_by_theta(std::vector<PairPoint>& pairs);
+
+/// Calls visit(pair, its line relative to `line`) for every pair whose line lies within both reaches of
+/// `line`, over the ends of theta too. @param pairs sorted by theta. @param theta_reach below pi/2 [rad].
+/// @param rho_reach [m].
+template <typename Visit>
+void for_pairs_near(const std::vector<PairPoint>& pairs, const csht::NormalLine& line, double theta_reach,
+                    double rho_reach, Visit&& visit) {
+  for (const double turn : {-std::numbers::pi, 0.0, std::numbers::pi}) {
+    const double low = line.theta + turn - theta_reach;
+    auto pair = std::lower_bound(pairs.begin(), pairs.end(), low,
+                                 [](const PairPoint& p, double theta) { return p.line.theta < theta; });
+    for (; pair != pairs.end() && pair->line.theta <= low + 2.0 * theta_reach; ++pair) {
+      const csht::NormalLine apart = csht::line_difference(pair->line, line);
+      if (std::abs(apart.rho) <= rho_reach) visit(*pair, apart);
+    }
+  }
+}
 
 }  // namespace lookout::tracking

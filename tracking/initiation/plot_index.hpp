@@ -8,8 +8,8 @@
 
 namespace lookout::tracking {
 
-/// A grid over the plots of one scan with about one plot a cell, so that a gate looks at its own neighbourhood
-/// and not at the whole scan.
+/// A grid over the plots of one scan with about one plot a cell, so that a gate looks at its own
+/// neighbourhood and not at the whole scan.
 class PlotIndex {
  public:
   /// Sorts the plots of `scan` into cells. The window must not change while the index is in use.

@@ -6,6 +6,12 @@
 #include <string>
 
 namespace lookout::tracking {
+namespace {
+
+/// A box thinner than this share of its length is that of a few plots in a row, not of a narrow field.
+constexpr double kLeastAspect = 0.25;
+
+}  // namespace
 
 void PlotWindow::clear() {
   times_.clear();
@@ -50,7 +56,9 @@ double covered_area(const PlotWindow& window) {
     low = low.cwiseMin(plot.position);
     high = high.cwiseMax(plot.position);
   }
-  return std::max(1.0, (high - low).prod());
+  const Eigen::Vector2d sides = high - low;
+  const double longer = sides.maxCoeff();
+  return std::max(1.0, longer * std::max(sides.minCoeff(), kLeastAspect * longer));
 }
 
 double largest_distance(const PlotWindow& window) {

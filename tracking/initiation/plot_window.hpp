@@ -8,13 +8,15 @@ namespace lookout::tracking {
 
 /// One measured position, in a plane frame of the caller's choice (earth, or local to the sensor).
 struct Plot {
-  int scan = 0;                                          ///< Index of its scan in the window, 0 the oldest.
-  double time = 0.0;                                     ///< Of its scan [s].
-  Eigen::Vector2d position{0, 0};                        ///< [m].
-  Eigen::Matrix2d noise = Eigen::Matrix2d::Identity();   ///< Covariance of `position` [m^2], positive definite.
+  int scan = 0;                    ///< Index of its scan in the window, 0 the oldest.
+  double time = 0.0;               ///< Of its scan [s].
+  Eigen::Vector2d position{0, 0};  ///< [m].
+  Eigen::Matrix2d noise =
+      Eigen::Matrix2d::Identity();  ///< Covariance of `position` [m^2], positive definite.
   /// Mean number of false plots per area around it [1/m^2], >= 0; 0 where unknown (methods that need it then
   /// take the window's own mean).
   double clutter_density = 0.0;
+  int source = -1;  ///< The caller's own number of it, carried along.
 };
 
 /// The plots of some consecutive scans, in order of time. Memory is kept when it is cleared.
@@ -37,7 +39,9 @@ class PlotWindow {
   int first(int scan) const { return first_[static_cast<std::size_t>(scan)]; }  ///< Index of its first plot.
   int end(int scan) const;                                                      ///< One past its last plot.
   int size(int scan) const { return end(scan) - first(scan); }
-  std::span<const Plot> scan(int scan) const { return plots().subspan(as_size(first(scan)), as_size(size(scan))); }
+  std::span<const Plot> scan(int scan) const {
+    return plots().subspan(as_size(first(scan)), as_size(size(scan)));
+  }
 
  private:
   static std::size_t as_size(int value) { return static_cast<std::size_t>(value); }
@@ -47,7 +51,8 @@ class PlotWindow {
   std::vector<Plot> plots_;
 };
 
-/// Area of the smallest upright box around all plots [m^2], at least 1.
+/// Area of the smallest upright box around all plots [m^2], at least 1; a thin box counts as a quarter as
+/// wide as it is long.
 double covered_area(const PlotWindow& window);
 
 /// Half of a range of rho that holds every plot: the largest distance from the origin [m], at least 1.

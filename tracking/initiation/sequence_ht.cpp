@@ -22,7 +22,8 @@ const StartedTracks& SequenceHtInitiator::start(const PlotWindow& window) {
   started_.clear();
   if (window.num_scans() < 2) return started_;
   if (static_cast<std::int64_t>(window.num_plots()) * grid_.num_theta() * params_.num_tracks > kMaxVotes) {
-    started_.refusal = "more than " + std::to_string(kMaxVotes) + " votes; use fewer plots or a larger theta_step";
+    started_.refusal =
+        "more than " + std::to_string(kMaxVotes) + " votes; use fewer plots or a larger theta_step";
     return started_;
   }
   taken_.assign(static_cast<std::size_t>(window.num_plots()), 0);

@@ -13,15 +13,15 @@ namespace lookout::tracking {
 
 struct SequenceHtParams {
   ZengGridParams grid;
-  int num_tracks = 6;          ///< Lines that are taken one after another, >= 1: the authors' program.
-  int min_plots = 2;           ///< Plots that a line needs to be called a track, >= 2.
-  int window_scans = 4;        ///< 4 for SHT-S, 12 for SHT-L.
+  int num_tracks = 6;             ///< Lines that are taken one after another, >= 1: the authors' program.
+  int min_plots = 2;              ///< Plots that a line needs to be called a track, >= 2.
+  int window_scans = 4;           ///< 4 for SHT-S, 12 for SHT-L.
   MotionModelParams motion{1.0};  ///< Of the refit.
 };
 
-/// Binary Hough transform of all plots that are left, the highest cell is a track, its plots are taken away; six
-/// times over. It always declares that many tracks while plots last. A track's list holds all plots of its cell,
-/// several of one scan too. Cost: tracks x plots x columns.
+/// Binary Hough transform of all plots that are left, the highest cell is a track, its plots are taken away;
+/// six times over. It always declares that many tracks while plots last. A track's list holds all plots of
+/// its cell, several of one scan too. Cost: tracks x plots x columns.
 class SequenceHtInitiator : public Initiator {
  public:
   /// @throws std::invalid_argument on a value out of range.

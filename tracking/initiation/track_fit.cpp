@@ -18,7 +18,8 @@ TrackFit two_point_start(const Plot& older, const Plot& newer, const MotionModel
   TrackFit fit;
   fit.track.state << newer.position, (newer.position - older.position) / seconds;
   fit.track.covariance << newer.noise, newer.noise / seconds, newer.noise / seconds,
-      (older.noise + newer.noise) / (seconds * seconds) + half_change * half_change * Eigen::Matrix2d::Identity();
+      (older.noise + newer.noise) / (seconds * seconds) +
+          half_change * half_change * Eigen::Matrix2d::Identity();
   fit.time = newer.time;
   fit.plots = 2;
   return fit;

@@ -10,10 +10,11 @@ namespace lookout::tracking {
 
 /// A constant-velocity track fitted to plots, at the time of the newest of them.
 struct TrackFit {
-  core::Track track;         ///< State and covariance; the rest is unused.
-  double time = 0.0;         ///< Of the newest plot [s].
-  double chi_square = 0.0;   ///< Squared residuals in units of their covariance, 2 (plots - 2) degrees of freedom.
-  double log_volume = 0.0;   ///< Sum over these residuals of log sqrt(det S) [log m^2].
+  core::Track track;  ///< State and covariance; the rest is unused.
+  double time = 0.0;  ///< Of the newest plot [s].
+  double chi_square =
+      0.0;  ///< Squared residuals in units of their covariance, 2 (plots - 2) degrees of freedom.
+  double log_volume = 0.0;  ///< Sum over these residuals of log sqrt(det S) [log m^2].
   int plots = 0;
 
   Eigen::Vector2d position_at(double when) const {
@@ -27,7 +28,7 @@ TrackFit two_point_start(const Plot& older, const Plot& newer, const MotionModel
 
 /// What a fit expects at the time of a plot: the residual and its covariance.
 struct Innovation {
-  Eigen::Vector2d residual{0, 0};  ///< [m].
+  Eigen::Vector2d residual{0, 0};                            ///< [m].
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< [m^2], the plot's own noise included.
   double squared_distance() const;
 };

@@ -1,5 +1,5 @@
-// Source: our own, velocity-consistent tracklets; docs/initiators.md. The threshold follows the a-contrario idea of
-// Desolneux, Moisan, Morel, "Meaningful alignments", IJCV, 2000.
+// Source: our own, velocity-consistent tracklets; docs/initiators.md. The threshold follows the a-contrario
+// idea of Desolneux, Moisan, Morel, "Meaningful alignments", IJCV, 2000.
 #include "tracking/initiation/vct.hpp"
 
 #include <Eigen/LU>
@@ -17,7 +17,8 @@ namespace {
 
 void require(bool good, const char* field, double value, const char* accepted) {
   if (!good)
-    throw std::invalid_argument(std::string(field) + " must be " + accepted + ", got " + std::to_string(value));
+    throw std::invalid_argument(std::string(field) + " must be " + accepted + ", got " +
+                                std::to_string(value));
 }
 
 double log_choose(int n, int k) {
@@ -52,8 +53,10 @@ void VctParams::validate() const {
   require(std::isfinite(speeds.max), "max_speed", speeds.max, "finite");
   require(window_scans >= 3, "window_scans", window_scans, ">= 3");
   require(min_plots >= 3 && min_plots <= window_scans, "min_plots", min_plots, "in 3 .. window_scans");
-  require(gate_probability > 0.0 && gate_probability < 1.0, "gate_probability", gate_probability, "in (0, 1)");
-  require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability", chain_probability, "in (0, 1)");
+  require(gate_probability > 0.0 && gate_probability < 1.0, "gate_probability", gate_probability,
+          "in (0, 1)");
+  require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability", chain_probability,
+          "in (0, 1)");
   require(max_false_tracks > 0.0, "max_false_tracks", max_false_tracks, "> 0");
   require(max_branches_per_plot >= 1, "max_branches_per_plot", max_branches_per_plot, ">= 1");
 }
@@ -105,7 +108,8 @@ bool VctInitiator::grow(const PlotWindow& window, int scan) {
   keep_best(window);
   // Branches stand in order of plot: those of this scan end where the next scan's begin.
   auto next = static_cast<std::size_t>(window.first(scan));
-  for (std::size_t b = next == 0 ? 0 : static_cast<std::size_t>(first_branch_[next]); b < branches_.size(); ++b) {
+  for (std::size_t b = next == 0 ? 0 : static_cast<std::size_t>(first_branch_[next]); b < branches_.size();
+       ++b) {
     while (next < static_cast<std::size_t>(branches_[b].plot)) first_branch_[++next] = static_cast<int>(b);
   }
   while (next < static_cast<std::size_t>(window.end(scan)))
@@ -154,13 +158,15 @@ void VctInitiator::propose_extensions(const PlotWindow& window, int branch, int 
   });
 }
 
-/// The volume of a ball of 2 d dimensions and squared radius c is (pi c)^d / d!; the residuals of `plots` plots span
-/// d = plots - 2 of them in units of the ellipsoid. A fit better than expected of a true chain tells nothing more.
+/// The volume of a ball of 2 d dimensions and squared radius c is (pi c)^d / d!; the residuals of `plots`
+/// plots span d = plots - 2 of them in units of the ellipsoid. A fit better than expected of a true chain
+/// tells nothing more.
 double VctInitiator::log_expected(double log_false, double chi_square, int plots) const {
   const int d = plots - 2;
   const double patterns = log_choose(num_scans_, std::min(plots, num_scans_));
   if (d <= 0) return log_false + patterns;
-  return log_false + patterns + d * std::log(std::numbers::pi * std::max(chi_square, 1.0 * d)) - std::lgamma(d + 1.0);
+  return log_false + patterns + d * std::log(std::numbers::pi * std::max(chi_square, 1.0 * d)) -
+         std::lgamma(d + 1.0);
 }
 
 double VctInitiator::log_density(const Plot& plot) const {
@@ -171,7 +177,8 @@ double VctInitiator::log_density(const Plot& plot) const {
 /// Of each plot the branches with the fewest false chains expected.
 void VctInitiator::keep_best(const PlotWindow& window) {
   std::sort(proposals_.begin(), proposals_.end(), [](const Proposal& a, const Proposal& b) {
-    return std::tuple(a.plot, a.log_expected, a.parent, a.root) < std::tuple(b.plot, b.log_expected, b.parent, b.root);
+    return std::tuple(a.plot, a.log_expected, a.parent, a.root) <
+           std::tuple(b.plot, b.log_expected, b.parent, b.root);
   });
   int plot = -1;
   int kept = 0;
@@ -211,7 +218,8 @@ void VctInitiator::collect_plots(int branch) {
   plots_.clear();
   for (int b = branch; b >= 0; b = branches_[static_cast<std::size_t>(b)].parent) {
     plots_.push_back(branches_[static_cast<std::size_t>(b)].plot);
-    if (branches_[static_cast<std::size_t>(b)].parent < 0) plots_.push_back(branches_[static_cast<std::size_t>(b)].root);
+    if (branches_[static_cast<std::size_t>(b)].parent < 0)
+      plots_.push_back(branches_[static_cast<std::size_t>(b)].root);
   }
   std::reverse(plots_.begin(), plots_.end());
 }
@@ -229,9 +237,11 @@ void VctInitiator::declare(const PlotWindow& window) {
   used_.assign(static_cast<std::size_t>(window.num_plots()), 0);
   for (const int chain : chains_) {
     collect_plots(chain);
-    if (std::ranges::any_of(plots_, [&](int plot) { return used_[static_cast<std::size_t>(plot)] != 0; })) continue;
+    if (std::ranges::any_of(plots_, [&](int plot) { return used_[static_cast<std::size_t>(plot)] != 0; }))
+      continue;
     for (const int plot : plots_) used_[static_cast<std::size_t>(plot)] = 1;
-    add_track(window, plots_, params_.motion, -branches_[static_cast<std::size_t>(chain)].log_expected, started_);
+    add_track(window, plots_, params_.motion, -branches_[static_cast<std::size_t>(chain)].log_expected,
+              started_);
   }
   started_.survivors = started_.plots;
 }
@@ -242,7 +252,8 @@ std::unique_ptr<Initiator> make_vct(const InitiatorConfig& config) {
   VctParams params;
   params.speeds = speed_limits(config, params.speeds);
   params.motion.acceleration_sigma = config.acceleration_sigma.value_or(params.motion.acceleration_sigma);
-  params.window_scans = config.window_scans.value_or(std::max(params.window_scans, config.min_plots.value_or(0)));
+  params.window_scans =
+      config.window_scans.value_or(std::max(params.window_scans, config.min_plots.value_or(0)));
   params.min_plots = config.min_plots.value_or(params.window_scans);
   params.gate_probability = config.gate_probability.value_or(params.gate_probability);
   params.max_false_tracks = config.max_false_tracks.value_or(params.max_false_tracks);
