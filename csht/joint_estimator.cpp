@@ -39,6 +39,7 @@ core::MotionElement element_of(const TargetHypothesis& target, std::int64_t init
 JointEstimatorParams JointEstimatorParams::window() {
   JointEstimatorParams params;
   params.search.prior.interior_birth_rate = 0.0;
+  params.search.prior.in_view_throughout = true;
   return params;
 }
 

@@ -16,7 +16,7 @@ struct JointEstimatorParams {
   int first_estimate_scans = 3;  ///< Scans before anything is reported, >= 1.
   double min_existence = 0.5;    ///< Least probability of existence that is reported, in [0, 1].
 
-  /// For a window in which every target is present throughout: no births within it.
+  /// For a window in which every target is in view throughout: no births and no entries within it.
   static JointEstimatorParams window();
 };
 

@@ -41,6 +41,8 @@ std::vector<Eigen::Vector4d> normal_sequence() {
   return sequence;
 }
 
+// Keeps a covariance regular that hangs on one sample: 1 cm and 1 cm/s.
+const Eigen::Vector4d kLeastVariance(1e-4, 1e-4, 1e-4, 1e-4);
 constexpr double kCooling = 0.7;     // Factor on the power of the weights per step of flattening.
 constexpr double kLeastHeat = 0.02;  // Below it the weights are as good as flat.
 
@@ -67,12 +69,17 @@ JointEvidence::JointEvidence(const JointEvidenceParams& params)
     : params_(params), normal_(normal_sequence()) {
   require(params.samples >= TargetHypothesis::kSamples, "samples must be >= 32", params.samples);
   require(params.stages >= 1, "stages must be >= 1", params.stages);
+  require(params.verdict_samples >= TargetHypothesis::kSamples, "verdict_samples must be >= 32",
+          params.verdict_samples);
+  require(params.effective > 0.0 && params.effective < params.verdict_samples,
+          "effective must be in (0, verdict_samples)", params.effective);
+  require(params.attempts >= 1, "attempts must be >= 1", params.attempts);
   require(params.proposal_scale > 0.0, "proposal_scale must be > 0", params.proposal_scale);
   require(params.wide_scale > params.proposal_scale, "wide_scale must be > proposal_scale",
           params.wide_scale);
   require(params.wide_share > 0.0 && params.wide_share < 1.0, "wide_share must be in (0, 1)",
           params.wide_share);
-  const auto size = static_cast<std::size_t>(params.samples);
+  const auto size = static_cast<std::size_t>(std::max(params.samples, params.verdict_samples));
   for (auto* values :
        {&north_, &east_, &north_velocity_, &east_velocity_, &log_proposal_, &log_ratio_, &weight_})
     values->resize(size);
@@ -81,27 +88,41 @@ JointEvidence::JointEvidence(const JointEvidenceParams& params)
 void JointEvidence::evaluate(const ScanHistory& history, int window_scans, const ClaimSet& claims,
                              const TrajectoryPrior& prior, int stages, core::Random& random,
                              TargetHypothesis& hypothesis) {
-  const int window = std::min(window_scans, history.size());
-  const double log_density = prior.log_density(history.newest());
   const int first = params_.stages - std::clamp(stages, 1, params_.stages);
   for (int stage = first; stage < params_.stages; ++stage) {
     const Tolerance tolerance{
         blend(params_.first.sigma_scale, params_.last.sigma_scale, stage, params_.stages),
         blend(params_.first.edge_softness, params_.last.edge_softness, stage, params_.stages)};
-    if (!propose(hypothesis, history.newest(), prior.max_speed(), random)) break;
-    weigh(history, window, claims, prior, tolerance);
-    hypothesis.log_odds = log_evidence() + log_density;
+    propose(hypothesis, params_.samples, random);
+    drop_impossible(history, window_scans, prior);
+    weigh(history, window_scans, claims, prior, tolerance);
+    hypothesis.log_odds = log_evidence() + prior.log_density(history.newest());
     if (!(hypothesis.log_odds > params_.hopeless)) return;
-    if (stage + 1 < params_.stages) flatten();
+    flatten(params_.adapt_share * params_.samples);
     moments(hypothesis);
   }
   resample(random, hypothesis);
 }
 
-bool JointEvidence::propose(const TargetHypothesis& hypothesis, const ScanTable& newest, double max_speed,
-                            core::Random& random) {
+void JointEvidence::decide(const ScanHistory& history, int window_scans, const ClaimSet& claims,
+                           const TrajectoryPrior& prior, core::Random& random, TargetHypothesis& hypothesis) {
+  for (int attempt = 0; attempt < params_.attempts; ++attempt) {
+    propose(hypothesis, params_.verdict_samples, random);
+    drop_impossible(history, window_scans, prior);
+    weigh(history, window_scans, claims, prior, params_.last);
+    hypothesis.log_odds = log_evidence() + prior.log_density(history.newest());
+    if (!std::isfinite(hypothesis.log_odds)) return;
+    const bool enough = effective_samples_ >= params_.effective;
+    flatten(params_.effective);
+    moments(hypothesis);
+    if (enough) break;
+  }
+  resample(random, hypothesis);
+}
+
+void JointEvidence::propose(const TargetHypothesis& hypothesis, int samples, core::Random& random) {
+  count_ = static_cast<std::size_t>(samples);
   const Eigen::LLT<Eigen::Matrix4d> factor(hypothesis.covariance);
-  if (factor.info() != Eigen::Success) return false;
   const Eigen::Matrix4d root = factor.matrixL();
   const double log_root = std::log(root.diagonal().prod());
   const double log_normal = -2.0 * std::log(2.0 * std::numbers::pi) - log_root;
@@ -110,7 +131,7 @@ bool JointEvidence::propose(const TargetHypothesis& hypothesis, const ScanTable&
   const double wide_height = params_.wide_share / std::pow(wide, 4);
   const auto offset = static_cast<std::size_t>(random.index(static_cast<int>(kSequence)));
   const double shift = random.uniform(0.0, 1.0);
-  for (std::size_t i = 0; i < north_.size(); ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     // Every 1 / wide_share-th sample is wide; the shift keeps the choice unbiased.
     const double turn = params_.wide_share * static_cast<double>(i) + shift;
     const bool is_wide = std::floor(turn) != std::floor(turn - params_.wide_share);
@@ -119,56 +140,69 @@ bool JointEvidence::propose(const TargetHypothesis& hypothesis, const ScanTable&
     const double square = z.squaredNorm();
     log_proposal_[i] = log_normal + std::log(narrow_height * std::exp(-0.5 * square / (narrow * narrow)) +
                                              wide_height * std::exp(-0.5 * square / (wide * wide)));
-    // Outside the prior's support the weight is zero: too fast, or not in view at the newest scan.
-    if (state.tail<2>().squaredNorm() > max_speed * max_speed || !in_view(newest, state.head<2>()))
-      log_proposal_[i] = std::numeric_limits<double>::infinity();
     north_[i] = state[0];
     east_[i] = state[1];
     north_velocity_[i] = state[2];
     east_velocity_[i] = state[3];
   }
-  return true;
+}
+
+// Outside the prior's support the weight is zero: too fast, or not in view when it has to be.
+void JointEvidence::drop_impossible(const ScanHistory& history, int window_scans,
+                                    const TrajectoryPrior& prior) {
+  const int oldest = std::min(window_scans, history.size()) - 1;
+  const double seconds = history.seconds_at_age(oldest), limit = prior.max_speed() * prior.max_speed();
+  for (std::size_t i = 0; i < count_; ++i) {
+    const Eigen::Vector2d position(north_[i], east_[i]), velocity(north_velocity_[i], east_velocity_[i]);
+    const bool possible = velocity.squaredNorm() <= limit && in_view(history.newest(), position) &&
+                          (!prior.params().in_view_throughout ||
+                           in_view(history.at_age(oldest), position + seconds * velocity));
+    if (!possible) log_proposal_[i] = std::numeric_limits<double>::infinity();
+  }
 }
 
 // From the oldest scan on, so that births within the window add as they come: the sum over all starts.
-void JointEvidence::weigh(const ScanHistory& history, int window, const ClaimSet& claims,
+void JointEvidence::weigh(const ScanHistory& history, int window_scans, const ClaimSet& claims,
                           const TrajectoryPrior& prior, const Tolerance& tolerance) {
-  std::fill(log_ratio_.begin(), log_ratio_.end(), 0.0);
+  const auto first = [this](const std::vector<double>& values) { return std::span(values.data(), count_); };
+  const std::span<double> sum(log_ratio_.data(), count_);
+  const int window = std::min(window_scans, history.size());
+  std::fill(sum.begin(), sum.end(), 0.0);
   for (int age = window - 1; age >= 0; --age) {
-    add_log_ratio(history.at_age(age), claims.at_age(age), {north_, east_, north_velocity_, east_velocity_},
-                  history.seconds_at_age(age), tolerance, log_ratio_);
+    add_log_ratio(history.at_age(age), claims.at_age(age),
+                  {first(north_), first(east_), first(north_velocity_), first(east_velocity_)},
+                  history.seconds_at_age(age), tolerance, sum);
     if (age == 0 || !std::isfinite(prior.log_birth())) continue;
-    for (double& value : log_ratio_) value = log_add(value, prior.log_birth());
+    for (double& value : sum) value = log_add(value, prior.log_birth());
   }
 }
 
 double JointEvidence::log_evidence() {
   double highest = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < log_ratio_.size(); ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     log_ratio_[i] -= log_proposal_[i];
     highest = std::max(highest, log_ratio_[i]);
   }
   if (!std::isfinite(highest)) return highest;
-  for (double& value : log_ratio_) value -= highest;
-  return highest + std::log(temper(1.0) / static_cast<double>(weight_.size()));
+  for (std::size_t i = 0; i < count_; ++i) log_ratio_[i] -= highest;
+  return highest + std::log(temper(1.0) / static_cast<double>(count_));
 }
 
 // Weights to the power `heat`, normalised; returns their sum before.
 double JointEvidence::temper(double heat) {
   double sum = 0.0, squares = 0.0;
-  for (std::size_t i = 0; i < weight_.size(); ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     weight_[i] = static_cast<double>(fast_exp(static_cast<float>(heat * log_ratio_[i])));
     sum += weight_[i];
     squares += weight_[i] * weight_[i];
   }
-  for (double& weight : weight_) weight /= sum;
+  for (std::size_t i = 0; i < count_; ++i) weight_[i] /= sum;
   effective_samples_ = sum * sum / squares;
   return sum;
 }
 
 // A cloud that hangs on few samples says nothing of its width: the weights are flattened until enough count.
-void JointEvidence::flatten() {
-  const double wanted = params_.adapt_share * static_cast<double>(weight_.size());
+void JointEvidence::flatten(double wanted) {
   double heat = 1.0;
   while (effective_samples_ < wanted && heat > kLeastHeat) temper(heat *= kCooling);
 }
@@ -176,7 +210,7 @@ void JointEvidence::flatten() {
 void JointEvidence::moments(TargetHypothesis& hypothesis) const {
   Eigen::Vector4d mean = Eigen::Vector4d::Zero();
   Eigen::Matrix4d second = Eigen::Matrix4d::Zero();
-  for (std::size_t i = 0; i < weight_.size(); ++i) {
+  for (std::size_t i = 0; i < count_; ++i) {
     const Eigen::Vector4d d =
         Eigen::Vector4d(north_[i], east_[i], north_velocity_[i], east_velocity_[i]) - hypothesis.mean;
     mean += weight_[i] * d;
@@ -184,6 +218,7 @@ void JointEvidence::moments(TargetHypothesis& hypothesis) const {
   }
   hypothesis.mean += mean;
   hypothesis.covariance = second - mean * mean.transpose();
+  hypothesis.covariance.diagonal() += kLeastVariance;
 }
 
 void JointEvidence::resample(core::Random& random, TargetHypothesis& hypothesis) const {
@@ -191,7 +226,7 @@ void JointEvidence::resample(core::Random& random, TargetHypothesis& hypothesis)
   double pointer = step * random.uniform(0.0, 1.0), sum = 0.0;
   std::size_t i = 0;
   for (auto& sample : hypothesis.samples) {
-    while (i + 1 < weight_.size() && sum + weight_[i] < pointer) sum += weight_[i++];
+    while (i + 1 < count_ && sum + weight_[i] < pointer) sum += weight_[i++];
     sample = {north_[i], east_[i], north_velocity_[i], east_velocity_[i]};
     pointer += step;
   }

@@ -20,6 +20,9 @@ struct JointEvidenceParams {
   double wide_scale = 2.2;      ///< That of the wide part of the proposal, > proposal_scale.
   double wide_share = 0.125;    ///< Share of samples in the wide part, in (0, 1).
   double adapt_share = 0.1;     ///< Least share of samples that adapt the proposal, in (0, 1).
+  int verdict_samples = 480;    ///< Of the last word on a target, >= 32.
+  double effective = 20.0;      ///< Effective samples that a verdict must rest on, > 0 ...
+  int attempts = 3;             ///< ... or this many attempts, each with the proposal of the last, >= 1.
   double hopeless = -8.0;       ///< After its first stage a candidate below these log odds is left [nats].
 };
 
@@ -35,17 +38,22 @@ class JointEvidence {
   void evaluate(const ScanHistory& history, int window_scans, const ClaimSet& claims,
                 const TrajectoryPrior& prior, int stages, core::Random& random, TargetHypothesis& hypothesis);
 
+  /// The last word on a hypothesis whose mean and covariance fit: samples of their own, so that the choice
+  /// of the hypothesis for its evidence does not count in its favour.
+  void decide(const ScanHistory& history, int window_scans, const ClaimSet& claims,
+              const TrajectoryPrior& prior, core::Random& random, TargetHypothesis& hypothesis);
+
   int stages() const { return params_.stages; }
   double effective_samples() const { return effective_samples_; }  ///< Of the last stage evaluated.
 
  private:
-  bool propose(const TargetHypothesis& hypothesis, const ScanTable& newest, double max_speed,
-               core::Random& random);
-  void weigh(const ScanHistory& history, int window, const ClaimSet& claims, const TrajectoryPrior& prior,
-             const Tolerance& tolerance);
+  void propose(const TargetHypothesis& hypothesis, int samples, core::Random& random);
+  void drop_impossible(const ScanHistory& history, int window_scans, const TrajectoryPrior& prior);
+  void weigh(const ScanHistory& history, int window_scans, const ClaimSet& claims,
+             const TrajectoryPrior& prior, const Tolerance& tolerance);
   double log_evidence();
   double temper(double heat);
-  void flatten();
+  void flatten(double wanted);
   void moments(TargetHypothesis& hypothesis) const;
   void resample(core::Random& random, TargetHypothesis& hypothesis) const;
 
@@ -53,6 +61,7 @@ class JointEvidence {
   std::vector<Eigen::Vector4d> normal_;  ///< A fixed sequence of low discrepancy, standard normal.
   std::vector<double> north_, east_, north_velocity_, east_velocity_;
   std::vector<double> log_proposal_, log_ratio_, weight_;
+  std::size_t count_ = 0;  ///< Samples of the stage at hand.
   double effective_samples_ = 0.0;
 };
 

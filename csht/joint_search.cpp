@@ -98,7 +98,7 @@ void JointSearch::estimate_again(const ScanHistory& history, int window, const C
     claims_ = known;
     for (std::size_t j = 0; j < targets_.size(); ++j)
       if (j != k) claims_.claim(history, targets_[j].samples, targets_[j].existence());
-    evidence_.evaluate(history, window, claims_, prior_, 1, random, targets_[k]);
+    evidence_.decide(history, window, claims_, prior_, random, targets_[k]);
   }
   const auto gone = [this](const TargetHypothesis& t) { return !(t.log_odds > params_.accept_above); };
   std::copy_if(targets_.begin(), targets_.end(), std::back_inserter(candidates_), gone);
