@@ -46,10 +46,12 @@ JointEstimatorParams JointEstimatorParams::window() {
 JointEstimator::JointEstimator(const JointEstimatorParams& params, const core::SonarParams& sonar,
                                std::uint64_t seed)
     : params_(for_sensor(params, sonar)),
-      history_(figures_of(sonar), params_.model, params_.window_scans),
+      figures_(params_.figures, sonar),
+      history_(figures_.figures(), params_.model, params_.window_scans),
       search_(params_.search),
       seed_(seed),
       random_(seed, core::RandomStream::estimator) {
+  known_.reserve(static_cast<std::size_t>(params_.search.pool + params_.search.seeds.keep));
   elements_.reserve(static_cast<std::size_t>(params_.search.pool + params_.search.seeds.keep));
 }
 
@@ -57,8 +59,17 @@ std::span<const core::MotionElement> JointEstimator::update(const core::PosedSca
   history_.push(scan);
   random_.reseed(seed_, core::RandomStream::estimator, static_cast<std::uint64_t>(scan.scan.sequence));
   none_.clear(history_, params_.window_scans);
-  report(search_.update(history_, params_.window_scans, none_, random_));
+  const auto targets = search_.update(history_, params_.window_scans, none_, random_);
+  report(targets);
+  learn_figures(targets);
   return elements_;
+}
+
+void JointEstimator::learn_figures(std::span<const TargetHypothesis> targets) {
+  known_.clear();
+  for (const auto& target : targets) known_.push_back({target.samples, target.existence()});
+  figures_.update(history_, known_);
+  history_.set_figures(figures_.figures());
 }
 
 void JointEstimator::report(std::span<const TargetHypothesis> targets) {

@@ -6,11 +6,13 @@
 #include "core/sonar_params.hpp"
 #include "csht/joint_search.hpp"
 #include "csht/motion_estimator.hpp"
+#include "csht/sensor_figures.hpp"
 
 namespace lookout::csht {
 
 struct JointEstimatorParams {
-  JointSearchParams search;      ///< The speed limit in it is the sensor's.
+  JointSearchParams search;  ///< The speed limit in it is the sensor's.
+  SensorFigureParams figures;
   SensorModelParams model;       ///< The clutter model in it follows the sensor.
   int window_scans = 20;         ///< Scans in a full window, >= 3. [Yan2018] W.
   int first_estimate_scans = 3;  ///< Scans before anything is reported, >= 1.
@@ -29,20 +31,25 @@ class JointEstimator : public MotionEstimator {
 
   std::span<const core::MotionElement> update(const core::PosedScan& scan) override;
 
+  std::optional<core::SensorEstimate> sensor_estimate() const override { return figures_.estimate(); }
   core::EstimatorMethod method() const override { return core::EstimatorMethod::joint; }
   int window_scans() const override { return params_.window_scans; }
+  const SensorFigureEstimator& sensor_figures() const { return figures_; }
   const JointSearch& search() const { return search_; }
   const ScanHistory& history() const { return history_; }
 
  private:
+  void learn_figures(std::span<const TargetHypothesis> targets);
   void report(std::span<const TargetHypothesis> targets);
 
   JointEstimatorParams params_;
+  SensorFigureEstimator figures_;
   ScanHistory history_;
   ClaimSet none_;
   JointSearch search_;
   std::uint64_t seed_;
   core::Random random_;
+  std::vector<KnownTarget> known_;
   std::vector<core::MotionElement> elements_;
 };
 

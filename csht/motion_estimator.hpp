@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/motion_element.hpp"
+#include "core/sensor_estimate.hpp"
 #include "core/sonar_scan.hpp"
 #include "core/track.hpp"
 
@@ -23,6 +24,9 @@ class MotionEstimator {
   /// Tracks offered as extra candidates to the next `update`, as they were at the scan of the last one; methods
   /// without such a use ignore them.
   virtual void offer(std::span<const core::Track> /*tracks*/) {}
+
+  /// The sensor's figures as the stream shows them; nothing from methods that do not estimate them.
+  virtual std::optional<core::SensorEstimate> sensor_estimate() const { return std::nullopt; }
 
   virtual core::EstimatorMethod method() const = 0;
   virtual int window_scans() const = 0;  ///< Scans in a full window.

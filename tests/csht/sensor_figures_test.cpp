@@ -1,0 +1,92 @@
+#include "csht/sensor_figures.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "tests/csht/joint_scenes.hpp"
+
+namespace lookout::csht {
+namespace {
+
+using testing::Course;
+const Course kCourse{{80, 10}, {-0.4, 0.6}};
+
+// 120 scans of one course, the target told, `clutter` false alarms in 90 beams and misses of 30 %.
+SensorFigureEstimator watch(const core::SonarParams& given, int clutter, double sigma = 3.0) {
+  core::Random random(1011);
+  const auto scans = testing::scans_of(
+      {kCourse}, 120, {.range_sigma = sigma, .quantise = true, .p_miss = 0.3, .clutter_per_scan = clutter},
+      random);
+  SensorFigureEstimator estimator({}, given);
+  ScanHistory history(estimator.figures(), {}, 20);
+  for (const auto& posed : scans) {
+    history.push(posed);
+    Eigen::Vector4d state;
+    state << kCourse.at(core::seconds(posed.scan.utime)), kCourse.velocity;
+    const std::array samples{state};
+    const std::array targets{KnownTarget{samples, 1.0}};
+    estimator.update(history, targets);
+    history.set_figures(estimator.figures());
+  }
+  return estimator;
+}
+
+TEST(SensorFigures, LearnsAllThree) {
+  const auto estimate = watch(testing::sonar(), 20).estimate();
+  // 20 draws over 90 beams fill 90 (1 - (89/90)^20) = 18.0 of them.
+  EXPECT_NEAR(estimate.false_alarm_probability, 18.0 / 90.0, 4.0 * estimate.false_alarm_probability_sigma);
+  // A beam with clutter before the missing target teaches nothing; 4 sigma of about 110 trials.
+  EXPECT_NEAR(estimate.miss_probability, 0.3, 4.0 * estimate.miss_probability_sigma);
+  EXPECT_NEAR(estimate.range_sigma, 3.0, 4.0 * estimate.range_sigma_sigma);
+  EXPECT_LT(estimate.miss_probability_sigma, 0.06);
+  EXPECT_LT(estimate.false_alarm_probability_sigma, 0.006);
+}
+
+TEST(SensorFigures, RightFiguresAreUsedAsGiven) {
+  core::SonarParams given = testing::sonar();
+  given.miss_probability = 0.32;
+  given.false_alarm_probability = 0.2;
+  const auto estimator = watch(given, 20);
+  EXPECT_FALSE(estimator.doubts_any());
+  EXPECT_EQ(estimator.figures().miss_probability, 0.32);
+  EXPECT_EQ(estimator.figures().false_alarm_probability, 0.2);
+}
+
+TEST(SensorFigures, WrongFiguresAreFoundOutAndReplaced) {
+  core::SonarParams given = testing::sonar();
+  given.miss_probability = 0.85;
+  given.false_alarm_probability = 0.02;
+  const auto estimator = watch(given, 20);
+  EXPECT_TRUE(estimator.doubts_miss_probability());
+  EXPECT_TRUE(estimator.doubts_false_alarm_probability());
+  EXPECT_NEAR(estimator.figures().false_alarm_probability, 0.2, 0.03);
+}
+
+TEST(SensorFigures, AWrongRangeSigmaIsFoundOut) {
+  const auto estimator = watch(testing::sonar(), 2, 1.2);  // 3 m is given.
+  EXPECT_TRUE(estimator.doubts_range_sigma());
+  // About 80 echoes at 1.2 m and the given figure's weight of 20 at 3 m: sqrt((80 1.44 + 20 9) / 100) = 1.7.
+  EXPECT_NEAR(estimator.figures().range_sigma, 1.7, 0.3);
+}
+
+TEST(SensorFigures, CountsTheReturnsOfAPointSensor) {
+  core::SonarParams given = testing::sonar();
+  given.clutter_per_scan = 3.0;
+  SensorFigureEstimator estimator({}, given);
+  ScanHistory history(estimator.figures(), {.clutter = ClutterModel::point}, 20);
+  for (const auto& posed : testing::noisy_scans({}, 50, 7, 1012)) {
+    history.push(posed);
+    estimator.update(history, {});
+  }
+  EXPECT_NEAR(estimator.estimate().false_alarm_probability * 90, 7.0, 0.1);
+}
+
+TEST(SensorFigures, RefusesNonsense) {
+  EXPECT_THROW(SensorFigureEstimator({.memory_scans = 0.5}, {}), std::invalid_argument);
+  EXPECT_THROW(SensorFigureEstimator({.doubt_sigmas = 0.0}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::csht
