@@ -49,6 +49,51 @@ void declare_run(CLI::App& app, Options& options) {
   add_scoring(app, options);
 }
 
+void add_live(CLI::App& app, Options& options) {
+  app.add_option("--lcm-url", options.lcm_url, "LCM transport (default: LCM_DEFAULT_URL, else LCM's own)");
+  app.add_option("--channel-prefix", options.channel_prefix,
+                 "Before the vehicle's channel names, e.g. AUV1_");
+  app.add_option("--duration", options.duration, "Stop after so long [s of wall time]");
+  app.add_option("--idle-exit", options.idle_exit, "Stop after so long without a message [s of wall time]");
+}
+
+void declare_sim(CLI::App& app, Options& options) {
+  app.add_option("SCENARIO", options.inputs, "Scene YAML")->expected(1)->required();
+  app.add_option("--speed", options.speed, "Times real time, or max: as fast as the tracker answers")
+      ->capture_default_str();
+  app.add_option("--wait-for", options.wait_for, "Trackers to hear on LOOKOUT_STATUS before the first scan")
+      ->capture_default_str();
+  app.add_option("--start-utime", options.start_utime, "Scenario time of the first scan [us]")
+      ->capture_default_str();
+  add_seed(app, options);
+  add_live(app, options);
+}
+
+void declare_track(CLI::App& app, Options& options) {
+  add_tracking(app, options);
+  add_seed(app, options);
+  app.add_flag("--publish-estimates", options.publish_estimates, "Also publish LOCAL_ESTIMATE, for fusion");
+  app.add_option("--node-id", options.node_id, "Of this vehicle, 1 or more")->capture_default_str();
+  add_live(app, options);
+}
+
+void declare_score(CLI::App& app, Options& options) {
+  app.add_option("--tracks", options.tracks_channel, "Channel to score (default: TRACKS with the prefix)");
+  add_scoring(app, options);
+  add_live(app, options);
+}
+
+void declare_replay(CLI::App& app, Options& options) {
+  app.add_option("INPUT", options.inputs, "Recording directory or LCM log")->expected(1)->required();
+  add_out(app, options);
+  add_seed(app, options);
+  add_tracking(app, options);
+  app.add_option("--channel-prefix", options.channel_prefix,
+                 "Of the vehicle whose channels to take from a log");
+  app.add_option("--votes-at", options.votes_at, "Also write csht's vote matrices at this scenario time [s]");
+  add_scoring(app, options);
+}
+
 void declare_ospa(CLI::App& app, Options& options) {
   app.add_option("FILES", options.inputs, "TRUTH.csv and ESTIMATE.csv")->expected(2)->required();
   add_scoring(app, options);
@@ -83,6 +128,14 @@ struct Command {
 constexpr Command kCommands[] = {
     {"run", "Runs a scene through the whole chain in one process, as fast as it computes.",
      "lookout run tools/scenarios/tracking_table7.yaml --out out/run", declare_run, run_command},
+    {"sim", "Publishes a scene's vehicle states, scans and truth over LCM.",
+     "lookout sim tools/scenarios/tracking_table7.yaml --wait-for 1", declare_sim, sim_command},
+    {"track", "The on-vehicle process: scans in, tracks out, over LCM.", "lookout track --node-id 1",
+     declare_track, track_command},
+    {"score", "Scores TRACKS against GROUND_TRUTH live over LCM; prints the mean at its end.",
+     "lookout score --truth visible", declare_score, score_command},
+    {"replay", "Tracks a recording or an LCM log again, the same tracks every time.",
+     "lookout replay out/demo/demo.lcmlog --out out/replay", declare_replay, replay_command},
     {"ospa", "Scores estimated positions against the truth, offline.",
      "lookout ospa out/run/truth.csv out/run/tracks.csv --cutoff 20", declare_ospa, ospa_command},
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",

@@ -9,7 +9,7 @@ namespace lookout::tests {
 namespace {
 
 TEST(CommandLine, HelpShowsAnExampleFirst) {
-  for (const std::string command : {"run", "ospa", "experiment"}) {
+  for (const std::string command : {"run", "sim", "track", "score", "replay", "ospa", "experiment"}) {
     const auto result = run_lookout(command + " --help");
     EXPECT_EQ(result.status, 0);
     EXPECT_TRUE(result.out.starts_with("Example:\n  lookout " + command)) << result.out;

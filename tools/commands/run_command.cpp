@@ -1,36 +1,13 @@
-#include <fstream>
-#include <iostream>
-#include <nlohmann/json.hpp>
-
-#include "core/csv.hpp"
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/log.hpp"
 #include "tools/paths.hpp"
 #include "tools/progress_bar.hpp"
 #include "tools/scoring.hpp"
-#include "tools/tracking_chain.hpp"
-#include "tools/vote_matrices.hpp"
+#include "tools/tracked_run.hpp"
 
 namespace lookout::tools {
 namespace {
-
-/// What one vehicle of the scene recorded and tracked.
-struct Run {
-  core::Recording recording;
-  ChainOutput output;
-  tracking::IntakeCounts counts;
-};
-
-/// Keeps the reports that the chain believed, as a recording holds them: each later than all before it.
-void keep_in_order(std::vector<core::VehicleState>& vehicle) {
-  std::vector<core::VehicleState> kept;
-  for (const auto& state : vehicle) {
-    if (kept.empty() || state.utime > kept.back().utime) kept.push_back(state);
-  }
-  vehicle = std::move(kept);
-}
 
 /// What the tracker is told: the configuration, with the geometry that the scans carry; with --known-sensor
 /// the scene's accuracy and probabilities too.
@@ -48,12 +25,12 @@ core::SonarParams told_params(const sonar_sim::Scene& scene, const sonar_sim::Pl
   return told;
 }
 
-Run run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration configuration,
-                 const Options& options) {
+TrackedRun run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration configuration,
+                        const Options& options) {
   sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
   configuration.sensor = told_params(scene, simulator.platform(), configuration, options.known_sensor);
   RecordedChain chain(configuration, options.seed);
-  Run run;
+  TrackedRun run;
   run.recording.params = configuration.sensor;
   ProgressBar bar(static_cast<std::size_t>(num_scans(scene, simulator.platform())));
   while (const auto simulated = simulator.next()) {
@@ -74,58 +51,6 @@ Run run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration
   return run;
 }
 
-/// ospa.csv, a row a scan that was tracked.
-void write_ospa(const std::string& path, const Run& run, tracking::Scorer& scorer) {
-  core::CsvWriter csv(path, "time_s,total,localization,cardinality,num_truth,num_tracks");
-  auto truth = run.recording.truth.begin();
-  for (const auto& list : run.output.tracks) {
-    while (truth->utime < list.utime) ++truth;
-    const tracking::OspaResult& ospa = scorer.add(*truth, list.tracks).position;
-    csv.number(core::seconds(list.utime))
-        .number(ospa.total)
-        .number(ospa.localization)
-        .number(ospa.cardinality);
-    csv.integer(ospa.num_truth).integer(ospa.num_tracks).end_row();
-  }
-  csv.close();
-}
-
-void write_summary(const std::string& path, const Run& run, const Configuration& configuration,
-                   const tracking::Scorer& scorer, const Options& options) {
-  const tracking::OspaResult mean = scorer.mean().position;
-  const nlohmann::ordered_json root{
-      {"scenario", options.inputs[0]},
-      {"seed", options.seed},
-      {"tracker", configuration.tracker.name},
-      {"estimator", configuration.estimator.name},
-      {"scans", run.recording.scans.size()},
-      {"tracked_scans", run.output.tracks.size()},
-      {"rejected_scans", run.counts.rejected()},
-      {"truth", options.truth},
-      {"cutoff", options.cutoff},
-      {"order", options.order},
-      {"ospa",
-       {{"total", mean.total}, {"localization", mean.localization}, {"cardinality", mean.cardinality}}}};
-  std::ofstream file(path);
-  file << root.dump(1) << "\n";
-  if (!file) throw std::runtime_error(path + ": could not be written");
-}
-
-void write_run(const std::string& directory, const Run& run, const Configuration& configuration,
-               const Options& options) {
-  core::write_recording(directory, run.recording);
-  core::write_tracks(directory + "/tracks.csv", run.output.tracks);
-  core::write_elements(directory + "/elements.csv", run.output.elements);
-  if (options.votes_at)
-    write_vote_matrices(run.recording, *run.recording.params, core::microseconds(*options.votes_at),
-                        directory);
-  tracking::Scorer scorer = make_scorer(options);
-  write_ospa(directory + "/ospa.csv", run, scorer);
-  write_summary(directory + "/summary.json", run, configuration, scorer, options);
-  log_info(directory + ": " + describe(run.counts) + ", " + describe(scorer.mean().position) + ", truth " +
-           options.truth);
-}
-
 }  // namespace
 
 int run_command(const Options& options) {
@@ -139,7 +64,9 @@ int run_command(const Options& options) {
     const std::string directory =
         alone ? options.out : options.out + "/node" + std::to_string(scene.platforms[index].node_id);
     make_directory(directory);
-    write_run(directory, run_platform(scene, index, configuration, options), configuration, options);
+    const TrackedRun run = run_platform(scene, index, configuration, options);
+    core::write_recording(directory, run.recording);
+    write_tracked_run(directory, run, configuration, options);
   }
   return 0;
 }

@@ -1,0 +1,51 @@
+#include <charconv>
+
+#include "core/input_error.hpp"
+#include "sonar_sim/sonar_simulator_node.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/live.hpp"
+#include "tools/log.hpp"
+
+namespace lookout::tools {
+namespace {
+
+/// A factor over real time, or nothing for "max".
+std::optional<double> parse_speed(const std::string& text) {
+  if (text == "max") return std::nullopt;
+  double speed = 0.0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, speed);
+  if (error != std::errc() || stop != end)
+    throw core::InputError("--speed: got `" + text + "`, expected a number > 0 or max");
+  return speed;
+}
+
+std::string describe(const sonar_sim::SimulatorFigures& figures) {
+  std::string line = std::to_string(figures.scans) + " scans sent";
+  if (figures.unanswered > 0)
+    line += ", " + std::to_string(figures.unanswered) + " not answered within a second";
+  if (!figures.complete) line += ", stopped before the end of the scene";
+  return line;
+}
+
+}  // namespace
+
+int sim_command(const Options& options) {
+  if (options.inputs.size() != 1) throw core::InputError("sim: expected one SCENARIO.yaml");
+  const sonar_sim::Scene scene = sonar_sim::load_scene(options.inputs[0]);
+  const auto limits = loop_limits(options);
+  sonar_sim::SimulatorNodeParams params;
+  params.channel_prefix = options.channel_prefix;
+  params.seed = options.seed;
+  params.start_utime = options.start_utime;
+  params.speed = parse_speed(options.speed);
+  params.wait_for = options.wait_for;
+  params.wait_for_tracks = !options.lcm_url.starts_with("file://");
+  lcmtypes::Bus bus(options.lcm_url);
+  sonar_sim::SonarSimulatorNode node(bus, scene, params);
+  log_info("sim: seed " + std::to_string(options.seed));
+  log_info("sim: " + describe(node.run(limits)));
+  return 0;
+}
+
+}  // namespace lookout::tools

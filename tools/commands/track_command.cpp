@@ -1,0 +1,32 @@
+#include "core/csv.hpp"
+#include "core/estimator_names.hpp"
+#include "tools/commands/commands.hpp"
+#include "tools/configuration.hpp"
+#include "tools/live.hpp"
+#include "tools/log.hpp"
+#include "tools/tracking_chain.hpp"
+#include "tracking/tracker_node.hpp"
+
+namespace lookout::tools {
+
+int track_command(const Options& options) {
+  const Configuration configuration = load_configuration(options);
+  const auto limits = loop_limits(options);
+  tracking::TrackerNodeParams params;
+  params.channel_prefix = options.channel_prefix;
+  params.node_id = options.node_id;
+  params.sensor = configuration.sensor;
+  params.method = core::estimator_method(configuration.estimator.name).value_or(params.method);
+  params.window_scans = configuration.estimator.window_scans;
+  params.publish_estimates = options.publish_estimates;
+  lcmtypes::Bus bus(options.lcm_url);
+  tracking::TrackerNode node(bus, params, tracker_maker(configuration, options.seed),
+                             [](const std::string& line) { log_warning("track: " + line); });
+  log_info("track: tracker " + configuration.tracker.name + ", seed " + std::to_string(options.seed));
+  node.run(limits);
+  log_info("track: " + describe(node.counts()) + "; latency p50 " + core::shortest(node.latency(0.50)) +
+           " ms, p99 " + core::shortest(node.latency(0.99)) + " ms");
+  return 0;
+}
+
+}  // namespace lookout::tools

@@ -1,0 +1,91 @@
+// VEHICLE_STATE, SONAR_SCAN -> intake -> tracker -> MOTION_ELEMENTS, TRACKS, SENSOR_ESTIMATE, LOCAL_ESTIMATE
+#include "tracking/tracker_node.hpp"
+
+#include <chrono>
+
+#include "core/input_error.hpp"
+
+namespace lookout::tracking {
+
+using Clock = lcmtypes::NodeLoop::Clock;
+
+TrackerNode::TrackerNode(lcmtypes::Bus& bus, const TrackerNodeParams& params,
+                         TrackingChain::MakeTracker make_tracker, Report report)
+    : bus_(bus),
+      params_(params),
+      channels_(params.channel_prefix),
+      report_(std::move(report)),
+      status_(bus, channels_.status(), "lookout track", params.node_id),
+      chain_(
+          params.sensor, std::move(make_tracker),
+          [this](const auto& scan, auto tracks, const Tracker& tracker) { publish(scan, tracks, tracker); },
+          [this](const std::string& line) { note(line); }) {
+  if (params.node_id < 1)
+    throw core::InputError("--node-id: got " + std::to_string(params.node_id) + ", expected 1 or more");
+  bus_.subscribe<vehicle_state_t>(channels_.vehicle_state(),
+                                  [this](const core::VehicleState& state) { take(state); });
+  bus_.subscribe<sonar_scan_t>(channels_.sonar_scan(),
+                               [this](core::SonarScan scan) { take(std::move(scan)); });
+}
+
+void TrackerNode::run(const lcmtypes::LoopLimits& limits) {
+  lcmtypes::NodeLoop(bus_, limits, [this] { publish_status(); }).run();
+  bus_.drain();
+  chain_.finish();
+  publish_status();
+}
+
+template <class Data>
+void TrackerNode::take(Data data) {
+  arrival_ = Clock::now();
+  chain_.add(std::move(data));
+}
+
+void TrackerNode::publish(const core::PosedScan& scan, std::span<const core::Track> tracks,
+                          const Tracker& tracker) {
+  const lcmtypes::ScanKey key{scan.scan.utime, scan.scan.sequence, scan.scan.sensor_id};
+  const auto elements = lcmtypes::to_wire(key, params_.method, params_.window_scans, tracker.elements());
+  const auto list = lcmtypes::to_wire(key, tracks);
+  bus_.publish(channels_.motion_elements(), elements.message);
+  if (const auto estimate = tracker.sensor_estimate())
+    bus_.publish(channels_.sensor_estimate(), lcmtypes::to_wire(key, *estimate));
+  if (params_.publish_estimates) publish_estimates(scan, tracks);
+  // Last: who waits for the tracks of a scan may rely on the rest being out.
+  bus_.publish(channels_.tracks(), list.message);
+  left_out_ += static_cast<std::int64_t>(elements.left_out + list.left_out);
+  status_.add_latency(std::chrono::duration<double, std::milli>(Clock::now() - arrival_).count());
+}
+
+void TrackerNode::publish_estimates(const core::PosedScan& scan, std::span<const core::Track> tracks) {
+  for (const auto& track : tracks) {
+    if (track.status != core::TrackStatus::confirmed) continue;
+    core::LocalEstimate estimate;
+    estimate.utime = scan.scan.utime;
+    estimate.sequence = scan.scan.sequence;
+    estimate.node_id = params_.node_id;
+    estimate.p_earth_node = {scan.T_earth_sonar.north, scan.T_earth_sonar.east};
+    estimate.track_id = track.id;
+    estimate.state = track.state;
+    estimate.covariance = track.covariance;
+    bus_.publish(lcmtypes::Channels::kLocalEstimate, lcmtypes::to_wire(estimate));
+  }
+}
+
+void TrackerNode::note(const std::string& line) {
+  last_error_ = line;
+  report_(line);
+}
+
+lcmtypes::NodeFigures TrackerNode::figures() const {
+  const IntakeCounts& counts = chain_.counts();
+  const auto link = bus_.inbox().counts(channels_.sonar_scan());
+  return {chain_.newest_utime(), counts.accepted,
+          counts.rejected() + counts.bad_states + bus_.inbox().bad_messages(), link.lost};
+}
+
+void TrackerNode::publish_status() {
+  const std::string& damaged = bus_.inbox().last_error();
+  status_.publish(figures(), damaged.empty() ? last_error_ : damaged);
+}
+
+}  // namespace lookout::tracking
