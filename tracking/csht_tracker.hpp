@@ -17,7 +17,7 @@ namespace lookout::tracking {
 /// The stages of the faithful tracker.
 struct CshtTrackerParams {
   ElementGate element_gate;        ///< See there.
-  double gate_probability = 0.99;  ///< Share of own echoes inside the sample gate, in (0, 1).
+  double gate_probability = 0.999;  ///< Share of own echoes inside the sample gate, in (0, 1).
   MotionModelParams motion;        ///< See there.
   WindowSmootherParams smoother;   ///< See there.
   TrackLifeParams life;            ///< Reported at once; drop rule min(5, 1 + .2 hits).

@@ -1,8 +1,7 @@
 #include "tools/experiments/tracking_run.hpp"
 
-#include <chrono>
-
 #include "core/random.hpp"
+#include "tools/thread_time.hpp"
 #include "tracking/metrics/scorer.hpp"
 #include "tracking/metrics/track_quality.hpp"
 
@@ -14,14 +13,14 @@ std::uint64_t run_seed(std::uint64_t seed, int run) {
 
 TrackingOutput track(tracking::Tracker& tracker, const std::vector<TimedScan>& scans) {
   TrackingOutput output;
-  std::chrono::duration<double, std::milli> spent{0};
+  double spent_ms = 0.0;
   for (const auto& scan : scans) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start_ms = thread_time_ms();
     const auto tracks = tracker.update(scan.posed);
-    spent += std::chrono::steady_clock::now() - start;
+    spent_ms += thread_time_ms() - start_ms;
     output.tracks.emplace_back(tracks.begin(), tracks.end());
   }
-  output.time_ms = scans.empty() ? 0.0 : spent.count() / static_cast<double>(scans.size());
+  output.time_ms = scans.empty() ? 0.0 : spent_ms / static_cast<double>(scans.size());
   return output;
 }
 

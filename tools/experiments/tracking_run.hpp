@@ -12,7 +12,7 @@ namespace lookout::tools {
 /// What a tracker said at every scan, and what it took.
 struct TrackingOutput {
   std::vector<std::vector<core::Track>> tracks;  ///< Index by index with the scans.
-  double time_ms = 0.0;                          ///< Mean time of one update [ms].
+  double time_ms = 0.0;                          ///< Mean processor time of one update [ms].
 };
 
 /// The seed of a tracker in one run of an experiment, of a stream that the simulator does not use.

@@ -1,0 +1,85 @@
+// Processor time per scan of the whole chain (scan in, tracks out) of every tracker on the Table 7 scene,
+// literal clutter, at four false alarm rates: mean, median, 99th percentile and the ratio to the Kalman
+// baseline on the same scans.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "tools/experiments/simulated_run.hpp"
+#include "tools/thread_time.hpp"
+#include "tracking/tracker_registry.hpp"
+
+namespace {
+
+using namespace lookout;
+
+constexpr double kMissProbability = 0.3;
+constexpr std::uint64_t kSeed = 1001;
+
+struct Scene {
+  explicit Scene(double p_false_alarm)
+      : scene(tools::load_variant("tracking_table7.yaml", {.p_false_alarm = p_false_alarm,
+                                                           .p_miss = kMissProbability,
+                                                           .sigma = 3.0,
+                                                           .clutter = sonar_sim::ClutterReading::literal})),
+        sonar(sonar_sim::known_params(scene, scene.platforms[0])),
+        scans(tools::simulate(scene, kSeed, 0)) {}
+  sonar_sim::Scene scene;
+  core::SonarParams sonar;
+  std::vector<tools::TimedScan> scans;
+};
+
+/// Milliseconds of each update of one run.
+std::vector<double> times_of(const std::string& name, const Scene& scene) {
+  const auto tracker = tracking::make_tracker(name, {}, scene.sonar, {}, kSeed);
+  std::vector<double> times;
+  for (const auto& scan : scene.scans) {
+    const double start = tools::thread_time_ms();
+    benchmark::DoNotOptimize(tracker->update(scan.posed).data());
+    times.push_back(tools::thread_time_ms() - start);
+  }
+  return times;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+double quantile(std::vector<double> values, double share) {
+  std::sort(values.begin(), values.end());
+  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+void time_per_scan(benchmark::State& state, const std::string& name, double p_false_alarm) {
+  const Scene scene(p_false_alarm);
+  const double kalman = mean(times_of("kalman", scene));
+  std::vector<double> times;
+  for (auto _ : state) {
+    times = times_of(name, scene);
+    state.SetIterationTime(mean(times) * 1e-3);
+  }
+  state.counters["p50_ms"] = quantile(times, 0.5);
+  state.counters["p99_ms"] = quantile(times, 0.99);
+  state.counters["ratio_to_kalman"] = mean(times) / kalman;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  for (const auto& name : tracking::tracker_names()) {
+    for (const double p_false_alarm : {0.1, 0.3, 0.5, 0.7}) {
+      const std::string label =
+          "scan/" + name + "/p_false_alarm:" + std::to_string(p_false_alarm).substr(0, 3);
+      benchmark::RegisterBenchmark(label.c_str(), time_per_scan, name, p_false_alarm)
+          ->UseManualTime()
+          ->Iterations(1)
+          ->Unit(benchmark::kMillisecond);
+    }
+  }
+  benchmark::Initialize(&argc, argv);
+  benchmark::RunSpecifiedBenchmarks();
+}

@@ -1,0 +1,44 @@
+// What the trackers allocate per scan once they are warm. A program of its own: the counter replaces operator
+// new.
+#include <gtest/gtest.h>
+
+#include "core/random.hpp"
+#include "tests/allocation_counter.hpp"
+#include "tests/tracking/sonar_scene.hpp"
+#include "tracking/tracker_registry.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+/// Scan `k`: two targets at rest, heard four times of five, and as many false points.
+core::PosedScan noisy_scan(int k, int num_false, core::Random& random) {
+  std::vector<Eigen::Vector2d> points;
+  if (k % 5 != 0) points = {{60.0, -20.0}, {90.0, 20.0}};
+  for (int j = 0; j < num_false; ++j)
+    points.emplace_back(random.uniform(70.0, 100.0), random.uniform(-40.0, 40.0));
+  return scan_of(k, points);
+}
+
+class TrackerAllocation : public ::testing::TestWithParam<std::string> {};
+
+TEST_P(TrackerAllocation, NothingPerScanOnceWarm) {
+  constexpr int kWarm = 100, kCalm = 40, kCounted = 100;
+  constexpr int kManyFalse = 16, kFewFalse = 4;  // buffers follow the densest scans so far
+  const auto tracker = make_tracker(GetParam(), {}, {}, {}, 1);
+  core::Random random(1001);
+  std::size_t allocated = 0;
+  for (int k = 0; k < kWarm + kCalm + kCounted; ++k) {
+    const auto scan = noisy_scan(k, k < kWarm ? kManyFalse : kFewFalse, random);
+    const std::size_t before = lookout::testing::allocations();
+    tracker->update(scan);
+    if (k >= kWarm + kCalm) allocated += lookout::testing::allocations() - before;
+  }
+  EXPECT_EQ(allocated, 0U);
+}
+
+// The Kalman baseline is left out: MRPT's engine allocates in every iteration.
+INSTANTIATE_TEST_SUITE_P(Trackers, TrackerAllocation, ::testing::Values("csht", "gnn"),
+                         [](const auto& info) { return info.param; });
+
+}  // namespace
+}  // namespace lookout::tracking
