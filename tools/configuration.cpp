@@ -13,6 +13,7 @@ void read_configuration(const core::YamlMap& map, Configuration& configuration) 
   if (const auto part = map.map("estimator")) csht::read_estimator_params(*part, configuration.estimator);
   if (const auto part = map.map("tracker")) tracking::read_tracker_params(*part, configuration.tracker);
   if (const auto part = map.map("output")) tracking::read_output_params(*part, configuration.tracker);
+  if (const auto part = map.map("tbd")) tracking::read_tbd_params(*part, configuration.tbd);
   map.finish();
 }
 

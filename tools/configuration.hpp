@@ -3,6 +3,7 @@
 #include "core/sonar_params.hpp"
 #include "csht/estimator_registry.hpp"
 #include "tools/options.hpp"
+#include "tracking/track_before_detect/frame_tracker_registry.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {
@@ -12,6 +13,7 @@ struct Configuration {
   core::SonarParams sensor;
   csht::EstimatorParams estimator;
   tracking::TrackerParams tracker;
+  tracking::TbdParams tbd;
 };
 
 /// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.

@@ -101,6 +101,16 @@ void declare_ospa(CLI::App& app, Options& options) {
   app.add_flag("--json", options.json, "Print one line of JSON");
 }
 
+void declare_tbd(CLI::App& app, Options& options) {
+  app.add_option("METHOD", options.method, "h_pmht, i_h_pmht_4, i_h_pmht_1 or immpda_ai")->required();
+  app.add_option("FRAMES_DIR", options.inputs, "Directory of PGM frames, taken in order of name")
+      ->expected(1)
+      ->required();
+  app.add_option("--out", options.out, "CSV file to write");
+  app.add_option("--config", options.config, "Configuration YAML; its part tbd");
+  add_seed(app, options);
+}
+
 void declare_experiment(CLI::App& app, Options& options) {
   app.add_option("NAME", options.method, "Which experiment");
   add_out(app, options);
@@ -138,6 +148,10 @@ constexpr Command kCommands[] = {
      "lookout replay out/demo/demo.lcmlog --out out/replay", declare_replay, replay_command},
     {"ospa", "Scores estimated positions against the truth, offline.",
      "lookout ospa out/run/truth.csv out/run/tracks.csv --cutoff 20", declare_ospa, ospa_command},
+    {"tbd", "Tracks targets in the raw intensities of an image sequence.",
+     "lookout tbd i_h_pmht_4 tools/data/tbd_example --config tools/data/tbd_example/config.yaml --out "
+     "tracks.csv",
+     declare_tbd, tbd_command},
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
      "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
      experiment_command},

@@ -12,6 +12,7 @@ int track_command(const Options& options);
 int score_command(const Options& options);
 int replay_command(const Options& options);
 int ospa_command(const Options& options);
+int tbd_command(const Options& options);
 int experiment_command(const Options& options);
 
 }  // namespace lookout::tools

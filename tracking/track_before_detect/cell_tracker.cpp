@@ -11,7 +11,8 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kEchoRank = 0.05;  // a block among the best twentieth counts as an echo of the track's own
+constexpr double kReachSigmas = 2.5;  // of a target's filtered signature around its centre
+constexpr double kEchoRank = 0.05;    // a block among the best twentieth counts as an echo of the track's own
 
 void require(bool holds, const char* text, double value) {
   if (!holds) throw std::invalid_argument(std::string(text) + ", got " + std::to_string(value));
@@ -76,6 +77,7 @@ const std::vector<CellTrack>& CellTracker::update(const IntensityFrame& frame, c
   predict(time);
   filter_.apply(frame);
   measurement_.update(frame, geometry, tracks_);
+  leave_out_confirmed(geometry);
   judge(geometry, time);
   end_tracks(time);
   merge(geometry);
@@ -99,6 +101,22 @@ void CellTracker::predict(double time) {
     track.existence *= params_.existence.survival;
     ++track.age;
   }
+}
+
+/// The blocks that confirmed targets reach are no background for others to be ranked among.
+void CellTracker::leave_out_confirmed(const CellGeometry& geometry) {
+  windows_.clear();
+  const Eigen::Vector2d reach =
+      kReachSigmas * params_.filter.sigma +
+      0.5 * Eigen::Vector2d(params_.filter.block_columns, params_.filter.block_rows);
+  for (const CellTrack& track : tracks_) {
+    if (!track.confirmed && track.existence < params_.existence.leave_out_existence) continue;
+    const Eigen::Vector2d cell = geometry.observe(track.state.head<2>()).cell;
+    const Eigen::Array2i low = (cell - reach).array().floor().cast<int>();
+    const Eigen::Array2i high = (cell + reach).array().ceil().cast<int>();
+    windows_.push_back({low.x(), high.x(), low.y(), high.y()});
+  }
+  if (!windows_.empty()) filter_.leave_out(windows_);
 }
 
 /// Bayes' rule on the rank of the track's block: density a p^(a - 1) with a target, uniform without.
@@ -145,10 +163,17 @@ void CellTracker::merge(const CellGeometry& geometry) {
   std::erase_if(tracks_, [&](const CellTrack&) { return merged_[index++] != 0; });
 }
 
-bool CellTracker::near_a_track(const CellGeometry& geometry, const FramePeak& peak) const {
+/// Whether the peak belongs to a track: it is near it, or it may be its sidelobe, weak and at its range.
+bool CellTracker::belongs_to_a_track(const CellGeometry& geometry, const FramePeak& peak) const {
+  const CellExistenceParams& p = params_.existence;
   const Eigen::Vector2d centre(peak.column + 0.5, peak.row + 0.5);
   return std::any_of(tracks_.begin(), tracks_.end(), [&](const CellTrack& track) {
-    return (geometry.observe(track.state.head<2>()).cell - centre).norm() < params_.existence.birth_distance;
+    const CellView view = geometry.observe(track.state.head<2>());
+    if ((view.cell - centre).norm() < p.birth_distance) return true;
+    if (!view.inside || std::abs(view.cell.x() - centre.x()) > p.birth_distance) return false;
+    const double strength =
+        filter_.block_maximum(static_cast<int>(view.cell.x()), static_cast<int>(view.cell.y()));
+    return peak.value < p.sidelobe_ratio * strength;
   });
 }
 
@@ -156,7 +181,7 @@ void CellTracker::start_tracks(const CellGeometry& geometry, double time) {
   filter_.find_peaks(filter_.quantile(params_.existence.birth_quantile), peaks_);
   for (const FramePeak& peak : peaks_) {
     if (static_cast<int>(tracks_.size()) >= params_.existence.max_tracks) return;
-    if (near_a_track(geometry, peak)) continue;
+    if (belongs_to_a_track(geometry, peak)) continue;
     CellTrack track;
     track.id = next_id_++;
     track.state.head<2>() = geometry.position_of({peak.column + 0.5, peak.row + 0.5});

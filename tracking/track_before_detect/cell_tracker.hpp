@@ -45,7 +45,9 @@ struct CellExistenceParams {
   double delete_confirmed = 0.02;    ///< And a confirmed one.
   double merge_distance = 1.5;       ///< Tracks nearer than this are one [cells], >= 0.
   double birth_distance = 4.0;       ///< Peaks nearer to a track than this start none [cells], >= 0.
+  double sidelobe_ratio = 0.3;       ///< Peaks in a track's columns below this share of it start none, >= 0.
   double coast = 10.0;               ///< How long a confirmed track outside the image is kept [s], >= 0.
+  double leave_out_existence = 0.9;  ///< Above it (and once confirmed) a target's blocks are no background.
   int max_tracks = 300;              ///< >= 1.
 };
 
@@ -110,16 +112,18 @@ class CellTracker : public CellTargetTracker {
 
  private:
   void predict(double time);
+  void leave_out_confirmed(const CellGeometry& geometry);
   void judge(const CellGeometry& geometry, double time);
   void end_tracks(double time);
   void merge(const CellGeometry& geometry);
   void start_tracks(const CellGeometry& geometry, double time);
-  bool near_a_track(const CellGeometry& geometry, const FramePeak& peak) const;
+  bool belongs_to_a_track(const CellGeometry& geometry, const FramePeak& peak) const;
 
   CellTrackerParams params_;
   MatchedFilter filter_;
   CellMeasurement measurement_;
   std::vector<CellTrack> tracks_;
+  std::vector<CellWindow> windows_;  ///< Around confirmed tracks.
   std::vector<FramePeak> peaks_;
   std::vector<char> merged_;
   double last_time_ = 0.0;

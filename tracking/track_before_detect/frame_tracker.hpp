@@ -32,7 +32,8 @@ class FrameTracker {
   virtual void add(std::int64_t id, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance) = 0;
   virtual void remove(std::int64_t id) = 0;
 
-  /// Takes up to batch_length() frames; steps[t] > 0 is the time from the frame before to frames[t].
+  /// Takes up to batch_length() frames; steps[t] >= 0 is the time from the frame before (at
+  /// first: from the start) to frames[t].
   /// @return the targets at each of the frames; valid until the next call.
   /// @throws std::invalid_argument where a frame is damaged (see check_frame) or changes its size.
   virtual const std::vector<std::vector<FrameTrack>>& process(std::span<const IntensityFrame> frames,

@@ -52,7 +52,11 @@ void MatchedFilter::apply(const IntensityFrame& frame) {
   filter_rows(frame);
   filter_columns();
   find_maxima();
-  tile();
+  tile({});
+}
+
+void MatchedFilter::leave_out(std::span<const CellWindow> windows) {
+  tile(windows);
 }
 
 /// The frame's mean is taken off first, so that the border is no edge.
@@ -105,11 +109,15 @@ void MatchedFilter::find_maxima() {
     }
 }
 
-void MatchedFilter::tile() {
+void MatchedFilter::tile(std::span<const CellWindow> left_out) {
+  const auto is_left_out = [&](int column, int row) {
+    return std::any_of(left_out.begin(), left_out.end(),
+                       [&](const CellWindow& window) { return window.contains(column, row); });
+  };
   tiles_.clear();
   for (int row = params_.block_rows / 2; row < rows_; row += params_.block_rows)
     for (int column = params_.block_columns / 2; column < columns_; column += params_.block_columns)
-      tiles_.push_back(maximum_[index(column, row)]);
+      if (!is_left_out(column, row)) tiles_.push_back(maximum_[index(column, row)]);
   std::sort(tiles_.begin(), tiles_.end());
 }
 

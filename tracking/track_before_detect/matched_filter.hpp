@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "tracking/track_before_detect/intensity_frame.hpp"
@@ -29,6 +30,9 @@ class MatchedFilter {
   explicit MatchedFilter(const MatchedFilterParams& params = {});
 
   void apply(const IntensityFrame& frame);
+  /// Leaves out of the tiling the blocks whose centre lies in one of the windows, so that targets that are
+  /// known stand in nobody's way. Until the next `apply`.
+  void leave_out(std::span<const CellWindow> windows);
 
   double at(int column, int row) const { return filtered_[index(column, row)]; }
   /// Maximum of the block centred on the cell (clipped at the border).
@@ -52,7 +56,7 @@ class MatchedFilter {
   void filter_rows(const IntensityFrame& frame);
   void filter_columns();
   void find_maxima();
-  void tile();
+  void tile(std::span<const CellWindow> left_out);
 
   MatchedFilterParams params_;
   int columns_ = 0, rows_ = 0;
