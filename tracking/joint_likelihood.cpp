@@ -69,10 +69,6 @@ void JointLikelihood::forget_claims(int owner, int age) {
   std::erase_if(claims_at(age), [owner](const Claim& c) { return c.owner == owner; });
 }
 
-void JointLikelihood::forget_past_claims(int owner) {
-  for (int age = 1; age < scans_.size(); ++age) forget_claims(owner, age);
-}
-
 const csht::BeamMask* JointLikelihood::mask(int age, int self, int beam) {
   const csht::ScanTable& scan = scans_.at_age(age);
   const bool points = scan.clutter == csht::ClutterModel::point;
@@ -117,7 +113,7 @@ void JointLikelihood::add(const JointCloud& cloud, const CloudMoments::Vector6& 
                           int self, std::span<double> log_ratio) {
   for (int age = ages.newest; age <= ages.oldest; ++age) {
     const csht::BeamMask* others = nullptr;
-    if (!claims_at(age).empty()) {
+    if (self != kEverybody && !claims_at(age).empty()) {
       const Eigen::Vector2d at = position_at(mean, scans_.seconds_at_age(age));
       others = mask(age, self, std::max(0, beam_at(scans_.at_age(age), at.x(), at.y())));
     }

@@ -29,7 +29,8 @@ struct AgeSpan {
 /// shared with a nearer target, the farther one learns nothing. csht_limits, ideas 1 and 6.
 class JointLikelihood {
  public:
-  static constexpr int kNobody = -1;
+  static constexpr int kNobody = -1;     ///< As `self`: the claims of all tracks count.
+  static constexpr int kEverybody = -2;  ///< As `self`: no claims count.
 
   /// @param capacity scans kept, >= 1.
   /// @param max_owners slots that may claim.
@@ -48,7 +49,6 @@ class JointLikelihood {
   void add_claim(int age, const Claim& claim);
   void forget_claims(int owner);
   void forget_claims(int owner, int age);
-  void forget_past_claims(int owner);  ///< Those on all scans but the newest.
 
   /// Adds to `log_ratio[i]` what the scans of these ages say of trajectory i, the claims of all but `self`
   /// left out.

@@ -36,6 +36,15 @@ void validate(const JointBirthParams& p) {
   require(p.hopeless > 0.0, "hopeless must be > 0", p.hopeless);
 }
 
+void validate(const JointManoeuvreParams& p) {
+  require(p.window_s > 0.0 && p.window_s <= 30.0, "manoeuvre window_s must be in (0, 30]", p.window_s);
+  require(p.prior > 0.0 && p.prior < 1.0, "manoeuvre prior must be in (0, 1)", p.prior);
+  require(p.position_slack > 0.0, "position_slack must be > 0", p.position_slack);
+  require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);
+  require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);
+  require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)", p.trusted_share);
+}
+
 void validate(const JointLifeParams& p) {
   require(p.tentative_log_odds < 0.0, "tentative_log_odds must be < 0", p.tentative_log_odds);
   require(p.end_log_odds < 0.0, "end_log_odds must be < 0", p.end_log_odds);
@@ -59,6 +68,7 @@ void validate(const JointTrackerParams& params) {
   csht::validate(params.sensor);
   validate(params.cloud);
   validate(params.birth);
+  validate(params.manoeuvre);
   validate(params.life);
   validate(params.report);
 }

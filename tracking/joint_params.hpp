@@ -33,6 +33,24 @@ struct JointBirthParams {
       6.0;  ///< A seed this many nats short of a tentative track in its first round is dropped, > 0.
 };
 
+/// Targets that turn or change speed.
+struct JointManoeuvreParams {
+  double window_s = 8.0;  ///< Stretch that a curved trajectory holds for [s], in (0, 30]. At 6 deg/s and
+                          ///< 3 m/s a constant acceleration is then off by at most 0.4 m.
+  double prior = 0.01;    ///< That a window begins a manoeuvre, in (0, 1).
+  double trigger_share = 0.75;  ///< A line is doubted when it brings less than this share of its evidence.
+  int sudden_scans = 4;         ///< ... or when over this many scans, >= 1,
+  double sudden_nats = 6.0;     ///< it falls this much short of what was to be expected, > 0.
+  int least_scans = 7;          ///< A track younger than this is not judged, >= 1.
+  double position_slack = 2.0;  ///< How far a manoeuvre may have led off the line [m], > 0,
+  double velocity_slack = 0.5;  ///< [m/s], > 0, and
+  double acceleration_slack = 0.15;  ///< [m/s^2], > 0, one standard deviation each.
+  double straighten_nats = 2.5;      ///< Evidence for the line that ends a manoeuvre.
+  double rough_nats = 8.0;           ///< Evidence that is believed of a cloud below `trusted_share`.
+  double trusted_share = 0.08;       ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
+  double least_log_odds = 2.0;       ///< Existence that a track must have reached to be judged.
+};
+
 /// When tracks begin, are confirmed and end.
 struct JointLifeParams {
   double tentative_log_odds = -7.0;  ///< Existence from which a track is kept. csht_limits.
@@ -57,6 +75,7 @@ struct JointTrackerParams {
   csht::Tolerance tolerance;  ///< Of tracks and of evidence; see there.
   JointCloudParams cloud;
   JointBirthParams birth;
+  JointManoeuvreParams manoeuvre;
   JointLifeParams life;
   JointReportParams report;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -7,17 +9,37 @@
 
 namespace lookout::tracking {
 
+/// What the latest scans said of a track, one by one: the evidence that came and what was to be expected.
+class RecentEvidence {
+ public:
+  static constexpr int kCapacity = 64;
+
+  void clear() { size_ = 0; }
+  void add(double evidence, double expected);
+  int size() const { return size_; }
+  double sum(int scans) const;       ///< Of the latest scans, scans <= size().
+  double expected(int scans) const;  ///< Of the same.
+
+ private:
+  std::array<double, kCapacity> evidence_{}, expected_{};
+  int next_ = 0;
+  int size_ = 0;
+};
+
 /// One target that may exist: a density over its trajectory and the odds that it is there.
 struct JointTrack {
   bool used = false;  ///< The slot holds a track.
   std::int64_t id = 0;
   JointCloud cloud;
-  CloudMoments moments;         ///< Of the cloud.
-  double log_odds = 0.0;        ///< Of existence.
-  double log_density = 0.0;     ///< ln of the prior density it was born with.
+  CloudMoments moments;           ///< Of the cloud.
+  double log_odds = 0.0;          ///< Of existence.
+  double log_density = 0.0;       ///< ln of the prior density it was born with.
+  double highest_log_odds = 0.0;  ///< Of its life.
+  RecentEvidence recent;
   double visible_share = 1.0;   ///< Probability that it is in the field of view, if it exists.
   double echo_share = 0.0;      ///< Probability that the newest scan holds an echo of it, if it exists.
   std::int64_t first_scan = 0;  ///< Number of the scan since which its likelihood counts.
+  bool remembers_birth = true;  ///< That scan is its first; not so after a manoeuvre.
   std::int64_t first_utime = 0;
   std::int64_t last_detection_utime = 0;
   std::int64_t out_of_view_utime = 0;  ///< Since when it is outside the field of view, while it is.
@@ -25,13 +47,14 @@ struct JointTrack {
   bool reported = false;  ///< Part of the newest report.
   bool confirmed_once = false;
   bool has_claims = false;        ///< On scans before the newest.
-  bool claims_filled = false;     ///< They are those of the present cloud.
+  bool claims_are_fresh = false;  ///< They are those of the present cloud.
   std::vector<double> log_ratio;  ///< Of the newest scan, trajectory by trajectory.
 
   double existence() const;
 };
 
-/// Probability of log odds.
+/// Probability of log odds, and back.
 double probability(double log_odds);
+double log_odds(double probability);
 
 }  // namespace lookout::tracking

@@ -3,15 +3,10 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-
-#include "csht/fast_math.hpp"
 
 namespace lookout::tracking {
 namespace {
 
-constexpr double kLeastShare = 0.02;          // Of a beam that is worth a claim.
-constexpr double kEchoSigmas = 4.0;           // An echo this near a trajectory may be its own.
 constexpr double kInView = 0.5;               // Visible share below which a track counts as out of view.
 constexpr double kLeastReported = 0.02;       // Probability from which a track is weighed for the report.
 constexpr double kPublishedTentative = 0.05;  // Existence from which a tentative track is published.
@@ -21,9 +16,6 @@ constexpr double kBetterSeed = 2.0;  // Nats by which a seed must beat a tentati
 constexpr double kEnoughEffective = 50.0;  // Trajectories that carry a cloud that is as good as it gets.
 constexpr double kSettledLogOdds = 4.0;    // Existence above which a track's odds are only updated.
 constexpr double kTrustedShare = 0.08;     // Effective share of a cloud whose evidence is trusted.
-constexpr std::size_t kPastStride = 8;     // Of a cloud's trajectories, for its claims on past scans.
-constexpr double kLeastNats = 0.05;        // Of information a scan.
-constexpr double kBirthNats = 11.0;        // Evidence that a new target needs. csht_limits, idea 8.
 
 int scans_in(double seconds, double period) {
   return static_cast<int>(std::ceil(seconds / period));
@@ -39,15 +31,6 @@ csht::SensorModelParams model_of(const JointTrackerParams& params, const core::S
   return model;
 }
 
-// Mean information of one scan on a target in view [nats]. csht_limits, idea 8.
-double nats_per_scan(const csht::SensorFigures& f, const csht::ScanTable& scan) {
-  if (scan.clutter == csht::ClutterModel::point)
-    return (1.0 - f.miss_probability) * std::log(static_cast<double>(scan.gain));
-  const double detect = 1.0 - f.miss_probability;
-  return detect * (std::log(static_cast<double>(scan.gain)) - 0.5) +
-         f.miss_probability * std::log(f.miss_probability / (1.0 - f.false_alarm_probability));
-}
-
 // Squared Mahalanobis distance of position and velocity, with both covariances.
 double state_distance(const CloudMoments& a, const CloudMoments& b) {
   const Eigen::Vector4d offset = a.mean.head<4>() - b.mean.head<4>();
@@ -55,28 +38,25 @@ double state_distance(const CloudMoments& a, const CloudMoments& b) {
   return offset.dot(covariance.llt().solve(offset));
 }
 
-}  // namespace
+const JointTrackerParams& validated(const JointTrackerParams& params) {
+  validate(params);
+  return params;
+}
 
-double probability(double log_odds) {
-  return 1.0 / (1.0 + std::exp(-log_odds));
-}
-double JointTrack::existence() const {
-  return probability(log_odds);
-}
+}  // namespace
 
 JointTracker::JointTracker(const JointTrackerParams& params, const core::SonarParams& sonar,
                            std::uint64_t seed)
-    : params_(params),
-      sonar_(sonar),
+    : params_(validated(params)),
       seed_(seed),
       random_(seed, core::RandomStream::tracker),
       likelihood_(csht::figures_of(sonar), model_of(params, sonar), params.tolerance,
                   capacity_of(params, sonar), params.life.max_tracks),
-      birth_(params.birth, sonar.max_speed),
       sampler_(params.cloud, sonar.max_speed, random_),
-      report_(params.report, random_),
-      unseen_(params.birth.expected_targets) {
-  validate(params);
+      manoeuvre_(params.manoeuvre, params.cloud.trajectories),
+      birth_(params.birth, sonar.max_speed),
+      unseen_(params.birth, sonar.max_speed),
+      report_(params.report, random_) {
   tracks_.reserve(static_cast<std::size_t>(params.life.max_tracks));
 }
 
@@ -93,17 +73,22 @@ std::span<const core::Track> JointTracker::update(const core::PosedScan& scan) {
   return published_;
 }
 
+std::span<const core::Track> JointTracker::retrodict(std::int64_t utime) {
+  return retrodiction_.at(utime, tracks_, likelihood_.scans(), params_.report.min_existence);
+}
+
 void JointTracker::take(const core::PosedScan& scan) {
   likelihood_.push(scan);
-  if (likelihood_.scans().size() < 2) return;
-  const double seconds = -likelihood_.scans().seconds_at_age(1);
-  const double death = 1.0 - std::exp(-seconds / params_.life.mean_life_s);
+  const csht::ScanHistory& scans = likelihood_.scans();
+  const double seconds = scans.size() < 2 ? 0.0 : -scans.seconds_at_age(1);
+  unseen_targets_ = unseen_.update(scans.newest(), scans.figures(), seconds);
+  retrodiction_.forget_before(scans.at_age(scans.size() - 1).utime);
+  const double survival = std::exp(-seconds / params_.life.mean_life_s);
   for (JointTrack& track : tracks_) {
     if (!track.used) continue;
     track.cloud.predict(seconds);
     track.moments = track.cloud.moments();
-    const double alive = track.existence() * (1.0 - death);
-    track.log_odds = std::log(alive / (1.0 - alive));
+    track.log_odds = log_odds(track.existence() * survival);
   }
 }
 
@@ -112,49 +97,61 @@ void JointTracker::claim_provisionally() {
   for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
     JointTrack& track = tracks_[slot];
     if (!track.used) continue;
+    const int self = static_cast<int>(slot);
     track.log_ratio.assign(track.cloud.size(), 0.0);
-    likelihood_.add(track.cloud, track.moments.mean, {0, 0}, static_cast<int>(slot), track.log_ratio);
-  }
-  for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
-    JointTrack& track = tracks_[slot];
-    if (!track.used) continue;
-    likelihood_.set_existence(static_cast<int>(slot), track.existence());
+    likelihood_.add(track.cloud, track.moments.mean, {0, 0}, JointLikelihood::kEverybody, track.log_ratio);
+    likelihood_.set_existence(self, track.existence());
     if (track.existence() < JointLikelihood::kLeastExistence) continue;
-    std::swap(fresh_, track.cloud);
-    track.cloud = fresh_;
-    track.cloud.reweigh(track.log_ratio);
-    observe(slot, 0, true, 1);
-    std::swap(fresh_, track.cloud);
+    fresh_ = track.cloud;
+    fresh_.reweigh(track.log_ratio);
+    observer_.claim(self, fresh_, likelihood_);
   }
 }
 
 void JointTracker::update_tracks() {
-  for (std::size_t slot = 0; slot < tracks_.size(); ++slot)
-    if (tracks_[slot].used) update_track(slot);
+  for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
+    if (!tracks_[slot].used) continue;
+    update_track(slot);
+    judge_motion(slot);
+    claim(slot);
+  }
 }
 
 void JointTracker::update_track(std::size_t slot) {
   JointTrack& track = tracks_[slot];
   const int self = static_cast<int>(slot);
-  const int beam =
-      std::max(0, beam_at(likelihood_.scans().newest(), track.moments.mean[0], track.moments.mean[1]));
-  if (likelihood_.mask(0, self, beam) != nullptr) {
+  const csht::ScanHistory& scans = likelihood_.scans();
+  const int beam = std::max(0, beam_at(scans.newest(), track.moments.mean[0], track.moments.mean[1]));
+  const bool shared = likelihood_.mask(0, self, beam) != nullptr;
+  if (shared) {
     track.log_ratio.assign(track.cloud.size(), 0.0);
     likelihood_.add(track.cloud, track.moments.mean, {0, 0}, self, track.log_ratio);
   }
-  track.log_odds += track.cloud.reweigh(track.log_ratio);
-  likelihood_.set_existence(self, track.existence());
-  if (track.cloud.effective_size() < params_.cloud.refresh_share * static_cast<double>(track.cloud.size()))
-    refresh(slot);
+  const double evidence = track.cloud.reweigh(track.log_ratio);
+  track.log_odds += evidence;
+  track.highest_log_odds = std::max(track.highest_log_odds, track.log_odds);
+  const bool tells = !shared && !track.out_of_view;
+  track.recent.add(evidence, tells ? nats_per_scan(scans.figures(), scans.newest()) : evidence);
+  const double enough = params_.cloud.refresh_share * static_cast<double>(track.cloud.size());
+  if (track.cloud.curved || track.cloud.effective_size() < enough) refresh(slot);
   track.moments = track.cloud.moments();
+}
+
+void JointTracker::claim(std::size_t slot) {
+  JointTrack& track = tracks_[slot];
+  const int self = static_cast<int>(slot);
+  likelihood_.set_existence(self, track.existence());
   likelihood_.forget_claims(self, 0);
   const bool claims = track.existence() >= JointLikelihood::kLeastExistence;
-  observe(slot, 0, claims, 1);
-  if (claims && !track.claims_filled) fill_past_claims(slot);
+  observer_.observe(self, track, claims, likelihood_);
+  if (!claims || track.claims_are_fresh) return;
+  observer_.claim_past(self, track, memory_of(track).oldest, likelihood_);
+  track.claims_are_fresh = true;
 }
 
 AgeSpan JointTracker::memory_of(const JointTrack& track) const {
   const csht::ScanHistory& scans = likelihood_.scans();
+  if (track.cloud.curved) return {0, manoeuvre_.window(scans)};
   const std::int64_t since_first = scans.pushed() - 1 - track.first_scan;
   int oldest = static_cast<int>(std::min<std::int64_t>(since_first, scans.size() - 1));
   while (oldest > 0 && -scans.seconds_at_age(oldest) > params_.cloud.memory_s) --oldest;
@@ -178,103 +175,31 @@ void JointTracker::refresh(std::size_t slot) {
   const double effective = result.effective_share * static_cast<double>(task.samples);
   if (effective <= std::min(track.cloud.effective_size(), kEnoughEffective)) return;
   std::swap(track.cloud, fresh_);
-  track.claims_filled = false;
+  track.claims_are_fresh = false;
   // Odds that were picked as the best of many are too high; drawn again they are not. csht_limits, idea 3.
-  const bool whole_life = task.ages.oldest == likelihood_.scans().pushed() - 1 - track.first_scan;
+  const bool whole_life = track.remembers_birth && !track.cloud.curved &&
+                          task.ages.oldest == likelihood_.scans().pushed() - 1 - track.first_scan;
   if (whole_life && track.log_odds < kSettledLogOdds && result.effective_share > kTrustedShare)
     track.log_odds = std::min(result.log_evidence + track.log_density, kSettledLogOdds);
 }
 
-// Notes in which beams the track is, whether it is in view and whether an echo may be its own.
-void JointTracker::observe(std::size_t slot, int age, bool claim, std::size_t stride) {
+void JointTracker::judge_motion(std::size_t slot) {
   JointTrack& track = tracks_[slot];
-  const csht::ScanTable& scan = likelihood_.scans().at_age(age);
-  const double seconds = likelihood_.scans().seconds_at_age(age);
-  const double gate = kEchoSigmas / static_cast<double>(scan.inverse_sigma);
-  beam_share_.resize(static_cast<std::size_t>(scan.num_beams), 0.0);
-  beam_range_.resize(static_cast<std::size_t>(scan.num_beams), 0.0);
-  beams_touched_.clear();
-  double visible = 0.0;
-  double echo = 0.0;
-  double total = 0.0;
-  const JointCloud& cloud = track.cloud;
-  const double half_square = 0.5 * seconds * seconds;
-  for (std::size_t i = 0; i < cloud.size(); i += stride) {
-    const double north =
-        cloud.north[i] + seconds * cloud.north_velocity[i] + half_square * cloud.north_acceleration[i];
-    const double east =
-        cloud.east[i] + seconds * cloud.east_velocity[i] + half_square * cloud.east_acceleration[i];
-    total += cloud.weight[i];
-    const int beam = beam_at(scan, north, east);
-    const double range = std::hypot(north - scan.T_earth_sonar.north, east - scan.T_earth_sonar.east);
-    if (beam < 0 || beam >= scan.num_beams || range > scan.max_range) continue;
-    const auto b = static_cast<std::size_t>(beam);
-    visible += cloud.weight[i];
-    if (beam_share_[b] == 0.0) beams_touched_.push_back(beam);
-    beam_share_[b] += cloud.weight[i];
-    beam_range_[b] += cloud.weight[i] * range;
-    const auto heard = static_cast<double>(scan.range[b + 1]);
-    if (std::abs(heard - range) < gate) echo += cloud.weight[i];
-  }
-  if (age == 0) {
-    track.visible_share = visible / total;
-    track.echo_share = echo / total;
-  }
-  for (const int beam : beams_touched_) {
-    const auto b = static_cast<std::size_t>(beam);
-    if (claim && beam_share_[b] > kLeastShare * total && scan.clutter != csht::ClutterModel::point)
-      likelihood_.add_claim(
-          age, {static_cast<int>(slot), beam, static_cast<float>(beam_range_[b] / beam_share_[b]),
-                static_cast<float>(beam_share_[b] / total)});
-    beam_share_[b] = 0.0;
-    beam_range_[b] = 0.0;
-  }
-  if (scan.clutter == csht::ClutterModel::point && claim) observe_point(slot, age);
-}
-
-// For a sensor without beams: how probably each detection is the track's.
-void JointTracker::observe_point(std::size_t slot, int age) {
-  JointTrack& track = tracks_[slot];
-  const csht::ScanTable& scan = likelihood_.scans().at_age(age);
-  const double seconds = likelihood_.scans().seconds_at_age(age);
-  const csht::SensorFigures& figures = likelihood_.scans().figures();
-  const auto count = scan.detections.size();
-  beam_share_.assign(std::max(count, beam_share_.size()), 0.0);
-  double echo = 0.0;
-  for (std::size_t i = 0; i < track.cloud.size(); ++i) {
-    if (track.cloud.weight[i] < 1e-4) continue;
-    const double north =
-        track.cloud.north[i] + seconds * track.cloud.north_velocity[i] - scan.T_earth_sonar.north;
-    const double east =
-        track.cloud.east[i] + seconds * track.cloud.east_velocity[i] - scan.T_earth_sonar.east;
-    const double range = std::hypot(north, east);
-    const double azimuth = std::atan2(east, north);
-    double sum = figures.miss_probability;
-    detection_ratio_.assign(count, 0.0);
-    for (std::size_t j = 0; j < count; ++j) {
-      const double dr = (scan.detections[j].range - range) / figures.range_sigma;
-      const double db = core::wrap_to_pi(scan.detections[j].azimuth - azimuth) / figures.bearing_sigma;
-      sum += detection_ratio_[j] = static_cast<double>(scan.gain) * std::exp(-0.5 * (dr * dr + db * db));
-    }
-    for (std::size_t j = 0; j < count; ++j)
-      beam_share_[j] += track.cloud.weight[i] * detection_ratio_[j] / sum;
-  }
-  for (std::size_t j = 0; j < count; ++j) {
-    echo += beam_share_[j];
-    if (beam_share_[j] > kLeastShare)
-      likelihood_.add_claim(
-          age, {static_cast<int>(slot), static_cast<int>(j), static_cast<float>(scan.detections[j].range),
-                static_cast<float>(beam_share_[j])});
-    beam_share_[j] = 0.0;
-  }
-  if (age == 0) track.echo_share = echo;
-}
-
-void JointTracker::fill_past_claims(std::size_t slot) {
-  JointTrack& track = tracks_[slot];
-  if (track.has_claims) likelihood_.forget_past_claims(static_cast<int>(slot));
-  track.claims_filled = track.has_claims = true;
-  for (int age = 1; age <= memory_of(track).oldest; ++age) observe(slot, age, true, kPastStride);
+  if (track.highest_log_odds < params_.manoeuvre.least_log_odds || track.out_of_view) return;
+  const auto judgement =
+      manoeuvre_.judge(static_cast<int>(slot), track, likelihood_, sampler_, random_, fresh_);
+  if (judgement.verdict == JointManoeuvre::Verdict::keep) return;
+  const bool curve = judgement.verdict == JointManoeuvre::Verdict::curve;
+  std::swap(track.cloud, fresh_);
+  track.moments = track.cloud.moments();
+  track.first_scan = likelihood_.scans().pushed() - 1 - judgement.oldest;
+  track.remembers_birth = false;
+  track.claims_are_fresh = false;
+  // What the line lost by not bending was no evidence against the target.
+  if (curve)
+    track.log_odds = std::max(track.log_odds, std::min(track.log_odds + judgement.evidence, kSettledLogOdds));
+  decide(track, curve ? DecisionKind::manoeuvre : DecisionKind::straighten, judgement.evidence,
+         curve ? "a curve explains the latest scans better" : "a straight line explains them as well");
 }
 
 // Of two tracks that are on one target the less probable ends.
@@ -282,13 +207,13 @@ void JointTracker::end_twins() {
   for (std::size_t a = 0; a < tracks_.size(); ++a) {
     for (std::size_t b = 0; b < a && tracks_[a].used; ++b) {
       if (!tracks_[b].used) continue;
-      const auto offset = (tracks_[a].moments.mean - tracks_[b].moments.mean).eval();
+      const CloudMoments::Vector6 offset = tracks_[a].moments.mean - tracks_[b].moments.mean;
       if (offset.head<2>().norm() > params_.life.twin_distance) continue;
       if (offset.segment<2>(2).norm() > params_.life.twin_speed) continue;
       const bool a_goes = tracks_[a].confirmed_once == tracks_[b].confirmed_once
                               ? tracks_[a].log_odds < tracks_[b].log_odds
                               : tracks_[b].confirmed_once;
-      end(a_goes ? a : b);
+      end(a_goes ? a : b, DecisionKind::merge, "on the same target as a surer track");
     }
   }
 }
@@ -307,12 +232,13 @@ bool JointTracker::known(const BirthSeed& seed) {
     if ((track.moments.mean.head<2>() - seed.guess.mean.head<2>()).norm() > kSeedReach) continue;
     if (state_distance(track.moments, seed.guess) > kSameTarget) continue;
     if (track.confirmed_once || seed.log_odds < track.log_odds + kBetterSeed) return true;
-    end(slot);
+    end(slot, DecisionKind::merge, "a better candidate takes its place");
   }
   return false;
 }
 
-bool JointTracker::begin_track(const BirthSeed& seed) {
+// Draws the density of a seed to `fresh_`. @return whether it is worth a track.
+bool JointTracker::draw_birth(const BirthSeed& seed, double& log_odds) {
   SamplingTask task;
   task.guess = seed.guess;
   task.ages = seed.ages;
@@ -324,119 +250,127 @@ bool JointTracker::begin_track(const BirthSeed& seed) {
   task.guess = fresh_.moments();
   task.samples = params_.cloud.trajectories;
   const SamplingResult result = sampler_.sample(task, likelihood_, random_, fresh_);
-  const double log_odds = result.log_evidence + seed.log_density;
-  if (log_odds < params_.life.tentative_log_odds || result.effective_share < kTrustedShare) return false;
+  log_odds = result.log_evidence + seed.log_density;
+  return log_odds >= params_.life.tentative_log_odds && result.effective_share >= kTrustedShare;
+}
+
+void JointTracker::begin_track(const BirthSeed& seed) {
+  double log_odds = 0.0;
+  if (!draw_birth(seed, log_odds)) return;
   const std::size_t slot = free_slot();
-  if (slot >= static_cast<std::size_t>(params_.life.max_tracks)) return false;
+  if (slot >= static_cast<std::size_t>(params_.life.max_tracks)) return;
   const csht::ScanHistory& scans = likelihood_.scans();
   JointTrack& track = tracks_[slot];
   track.used = true;
   track.id = ++last_id_;
   std::swap(track.cloud, fresh_);
   track.moments = track.cloud.moments();
-  track.log_odds = std::min(log_odds, kSettledLogOdds);
+  track.log_odds = track.highest_log_odds = std::min(log_odds, kSettledLogOdds);
   track.log_density = seed.log_density;
+  track.recent.clear();
   track.first_scan = scans.pushed() - 1 - seed.ages.oldest;
   track.first_utime = scans.at_age(seed.ages.oldest).utime;
   track.last_detection_utime = scans.newest().utime;
-  track.out_of_view = track.reported = track.confirmed_once = track.claims_filled = track.has_claims = false;
-  likelihood_.set_existence(static_cast<int>(slot), track.existence());
-  const bool claims = track.existence() >= JointLikelihood::kLeastExistence;
-  observe(slot, 0, claims, 1);
-  if (claims) fill_past_claims(slot);
-  return true;
+  track.remembers_birth = true;
+  track.out_of_view = track.reported = track.confirmed_once = false;
+  track.has_claims = track.claims_are_fresh = false;
+  claim(slot);
+  decide(track, DecisionKind::begin, track.log_odds, "echoes that no track explains");
 }
 
 std::size_t JointTracker::free_slot() {
   for (std::size_t slot = 0; slot < tracks_.size(); ++slot)
     if (!tracks_[slot].used) return slot;
-  if (tracks_.size() < tracks_.capacity())
-    tracks_.emplace_back();
-  else
-    return tracks_.size();
+  if (tracks_.size() == tracks_.capacity()) return tracks_.size();
+  tracks_.emplace_back();
   return tracks_.size() - 1;
 }
 
 void JointTracker::end_lives() {
-  const std::int64_t now = likelihood_.scans().newest().utime;
   for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
     JointTrack& track = tracks_[slot];
     if (!track.used) continue;
-    if (track.echo_share > kInView) track.last_detection_utime = now;
+    if (track.echo_share > kInView) track.last_detection_utime = now();
     const bool out = track.visible_share < kInView;
-    if (out && !track.out_of_view) track.out_of_view_utime = now;
+    if (out && !track.out_of_view) track.out_of_view_utime = now();
+    if (out != track.out_of_view && track.confirmed_once)
+      decide(track, out ? DecisionKind::coast : DecisionKind::resume, track.log_odds,
+             out ? "left the field of view" : "back in the field of view");
     track.out_of_view = out;
-    if (life_over(track)) end(slot);
+    if (const char* reason = reason_to_end(track)) end(slot, DecisionKind::end, reason);
   }
 }
 
-bool JointTracker::life_over(const JointTrack& track) const {
-  if (track.log_odds < params_.life.tentative_log_odds) return true;
-  if (track.confirmed_once && track.log_odds < params_.life.end_log_odds) return true;
-  if (!track.out_of_view) return false;
-  const double out = core::seconds(likelihood_.scans().newest().utime - track.out_of_view_utime);
-  return !track.confirmed_once || out > params_.life.coast_s;
+const char* JointTracker::reason_to_end(const JointTrack& track) const {
+  const double least = track.confirmed_once ? params_.life.end_log_odds : params_.life.tentative_log_odds;
+  if (track.log_odds < least) return "too little evidence left";
+  if (!track.out_of_view) return nullptr;
+  if (!track.confirmed_once) return "left the field of view unconfirmed";
+  const double out = core::seconds(now() - track.out_of_view_utime);
+  return out > params_.life.coast_s ? "out of view for longer than the coast" : nullptr;
 }
 
-void JointTracker::end(std::size_t slot) {
-  tracks_[slot].used = false;
+void JointTracker::end(std::size_t slot, DecisionKind kind, const char* reason) {
+  JointTrack& track = tracks_[slot];
+  track.used = false;
   likelihood_.set_existence(static_cast<int>(slot), 0.0);
   likelihood_.forget_claims(static_cast<int>(slot));
-}
-
-// Mean number of targets in view that no track stands for: those of the prior, found at the rate at which
-// evidence comes in, and those that enter. csht_limits, idea 8.
-double JointTracker::unseen_targets() {
-  const csht::ScanTable& scan = likelihood_.scans().newest();
-  const double nats = std::max(kLeastNats, nats_per_scan(likelihood_.scans().figures(), scan));
-  const double found = std::min(1.0, nats / kBirthNats);
-  const double sector = std::min(2.0 * std::numbers::pi, scan.num_beams * scan.bearing_step);
-  // Mean flux of a uniform flow over a border: speed x border / (pi area), here a sector's.
-  const double border = scan.max_range * (sector + (scan.whole_circle ? 0.0 : 2.0));
-  const double area = 0.5 * sector * scan.max_range * scan.max_range;
-  const double mean_speed = 2.0 / 3.0 * sonar_.max_speed;
-  const double entering =
-      params_.birth.expected_targets * mean_speed * border / (std::numbers::pi * area) * sonar_.scan_period;
-  unseen_ += entering + params_.birth.interior_rate - found * unseen_;
-  double tentative = 0.0;
-  for (const JointTrack& track : tracks_)
-    if (track.used && track.log_odds < 0.0) tentative += track.existence() * track.visible_share;
-  return std::max(0.0, unseen_ - tentative);
+  if (!track.confirmed_once) return;
+  if (kind == DecisionKind::end) retrodiction_.retire(track, now(), kSettledLogOdds);
+  decide(track, kind, track.log_odds, reason);
 }
 
 void JointTracker::choose_report() {
   candidates_.clear();
+  double tentative = 0.0;
   for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
-    JointTrack& track = tracks_[slot];
-    track.reported = false;
-    const double p = track.used ? track.existence() * track.visible_share : 0.0;
-    if (p < kLeastReported || track.out_of_view) continue;
+    const JointTrack& track = tracks_[slot];
+    const double p = track.used && !track.out_of_view ? track.existence() * track.visible_share : 0.0;
+    if (track.log_odds < 0.0) tentative += p;
+    if (p < kLeastReported) continue;
     candidates_.push_back({slot, p, track.moments.covariance(0, 0) + track.moments.covariance(1, 1)});
   }
-  const std::size_t count = report_.choose(candidates_, unseen_targets(), random_);
-  for (std::size_t i = 0; i < count; ++i) {
+  const double unseen = std::max(0.0, unseen_targets_ - tentative);
+  const std::size_t count = report_.choose(candidates_, unseen, random_);
+  for (std::size_t i = 0; i < candidates_.size(); ++i) {
     JointTrack& track = tracks_[candidates_[i].slot];
-    track.reported = track.confirmed_once = true;
+    const bool report = i < count;
+    if (report != track.reported)
+      decide(track, report ? DecisionKind::confirm : DecisionKind::withdraw, track.log_odds,
+             report ? "reporting it lowers the expected OSPA"
+                    : "reporting it no longer lowers the expected OSPA");
+    track.reported = report;
+    track.confirmed_once |= report;
   }
 }
 
 void JointTracker::publish() {
   published_.clear();
-  for (const JointTrack& track : tracks_) {
+  for (JointTrack& track : tracks_) {
     if (!track.used) continue;
-    const bool coasting = track.confirmed_once && track.out_of_view;
-    if (!track.reported && !coasting && track.existence() < kPublishedTentative) continue;
-    core::Track& out = published_.emplace_back();
-    out.id = track.id;
-    out.status = track.reported ? core::TrackStatus::confirmed
-                 : coasting     ? core::TrackStatus::coasting
-                                : core::TrackStatus::tentative;
-    out.state = track.moments.mean.head<4>();
-    out.covariance = track.moments.covariance.topLeftCorner<4, 4>();
-    out.existence = track.existence();
-    out.first_utime = track.first_utime;
-    out.last_detection_utime = track.last_detection_utime;
+    track.reported &= !track.out_of_view;
+    publish_track(track);
   }
+}
+
+void JointTracker::publish_track(const JointTrack& track) {
+  const bool coasting = track.confirmed_once && track.out_of_view;
+  if (!track.reported && !coasting && track.existence() < kPublishedTentative) return;
+  core::Track& out = published_.emplace_back();
+  out.id = track.id;
+  out.status = track.reported ? core::TrackStatus::confirmed
+               : coasting     ? core::TrackStatus::coasting
+                              : core::TrackStatus::tentative;
+  out.state = track.moments.mean.head<4>();
+  out.covariance = track.moments.covariance.topLeftCorner<4, 4>();
+  out.existence = track.existence();
+  out.first_utime = track.first_utime;
+  out.last_detection_utime = track.last_detection_utime;
+}
+
+void JointTracker::decide(const JointTrack& track, DecisionKind kind, double evidence,
+                          const char* reason) const {
+  if (log_) log_({now(), track.id, kind, evidence, reason});
 }
 
 }  // namespace lookout::tracking

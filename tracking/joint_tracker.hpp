@@ -8,10 +8,14 @@
 #include "core/sonar_params.hpp"
 #include "tracking/joint_birth.hpp"
 #include "tracking/joint_likelihood.hpp"
+#include "tracking/joint_manoeuvre.hpp"
+#include "tracking/joint_observer.hpp"
 #include "tracking/joint_params.hpp"
 #include "tracking/joint_report.hpp"
+#include "tracking/joint_retrodiction.hpp"
 #include "tracking/joint_sampler.hpp"
 #include "tracking/joint_track.hpp"
+#include "tracking/joint_unseen.hpp"
 #include "tracking/tracker.hpp"
 
 namespace lookout::tracking {
@@ -27,6 +31,9 @@ class JointTracker : public Tracker {
   JointTracker(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed);
 
   std::span<const core::Track> update(const core::PosedScan& scan) override;
+  void explain_to(DecisionLog log) override { log_ = std::move(log); }
+  bool can_retrodict() const override { return true; }
+  std::span<const core::Track> retrodict(std::int64_t utime) override;
 
  private:
   void take(const core::PosedScan& scan);
@@ -34,38 +41,42 @@ class JointTracker : public Tracker {
   void update_tracks();
   void update_track(std::size_t slot);
   void refresh(std::size_t slot);
-  void observe(std::size_t slot, int age, bool claim, std::size_t stride);
-  void observe_point(std::size_t slot, int age);
-  void fill_past_claims(std::size_t slot);
+  void judge_motion(std::size_t slot);
+  void claim(std::size_t slot);
   void end_twins();
   void begin_tracks();
-  bool begin_track(const BirthSeed& seed);
+  void begin_track(const BirthSeed& seed);
   bool known(const BirthSeed& seed);
+  bool draw_birth(const BirthSeed& seed, double& log_odds);
   std::size_t free_slot();
   void end_lives();
-  bool life_over(const JointTrack& track) const;
-  void end(std::size_t slot);
+  const char* reason_to_end(const JointTrack& track) const;
+  void end(std::size_t slot, DecisionKind kind, const char* reason);
   void choose_report();
-  double unseen_targets();
   void publish();
+  void publish_track(const JointTrack& track);
   AgeSpan memory_of(const JointTrack& track) const;
+  std::int64_t now() const { return likelihood_.scans().newest().utime; }
+  void decide(const JointTrack& track, DecisionKind kind, double evidence, const char* reason) const;
 
   JointTrackerParams params_;
-  core::SonarParams sonar_;
   std::uint64_t seed_;
   core::Random random_;
   JointLikelihood likelihood_;
-  JointBirth birth_;
   JointSampler sampler_;
+  JointObserver observer_;
+  JointManoeuvre manoeuvre_;
+  JointBirth birth_;
+  JointUnseen unseen_;
   JointReport report_;
-  std::vector<JointTrack> tracks_;  ///< Slots.
+  JointRetrodiction retrodiction_;
+  std::vector<JointTrack> tracks_;  ///< Slots, used again when free.
   JointCloud fresh_;                ///< Where a cloud is drawn before it replaces another.
-  std::vector<double> beam_share_, beam_range_, detection_ratio_;
-  std::vector<int> beams_touched_;
+  double unseen_targets_ = 0.0;
   std::vector<ReportCandidate> candidates_;
   std::vector<core::Track> published_;
-  double unseen_ = 0.0;
   std::int64_t last_id_ = 0;
+  DecisionLog log_;
 };
 
 }  // namespace lookout::tracking

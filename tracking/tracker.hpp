@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -7,6 +8,7 @@
 #include "core/sensor_estimate.hpp"
 #include "core/sonar_scan.hpp"
 #include "core/track.hpp"
+#include "tracking/decision.hpp"
 
 namespace lookout::tracking {
 
@@ -26,6 +28,17 @@ class Tracker {
   /// The sensor's figures as the tracker sees them after the newest scan; nothing from trackers that do not
   /// estimate them.
   virtual std::optional<core::SensorEstimate> sensor_estimate() const { return std::nullopt; }
+
+  /// Sends every decision from now on to `log`. Trackers that keep no account of them ignore it.
+  virtual void explain_to(DecisionLog /*log*/) {}
+
+  /// Whether `retrodict` has something to say.
+  virtual bool can_retrodict() const { return false; }
+
+  /// The tracks at an earlier scan's time [us], at most a minute before the newest, as they are known by now:
+  /// drawn back to their start, without those that proved false. Never a substitute for the online output.
+  /// @return valid until the next call; empty from trackers that cannot.
+  virtual std::span<const core::Track> retrodict(std::int64_t /*utime*/) { return {}; }
 };
 
 }  // namespace lookout::tracking

@@ -1,0 +1,73 @@
+#include "tracking/joint_birth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <numbers>
+
+#include "tests/tracking/sonar_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+constexpr int kOwners = 4;
+
+JointLikelihood moving_target(int scans) {
+  JointLikelihood likelihood({}, {}, {}, 60, kOwners);
+  for (int k = 0; k < scans; ++k) likelihood.push(scan_of(k, {{60.0 + 0.5 * k, 10.0}}));
+  return likelihood;
+}
+
+TEST(BirthDensity, SpreadsTheExpectedTargetsOverFieldAndSpeeds) {
+  csht::ScanHistory scans({}, {}, 2);
+  scans.push(scan_of(0, {}));
+  const BirthDensity density = birth_density(scans.newest(), 3.0, {});
+  const double field = std::numbers::pi / 4.0 * 150.0 * 150.0, speeds = std::numbers::pi * 9.0;
+  EXPECT_NEAR(std::exp(density.log_standing) * field * speeds, 2.0, 1e-9);
+  EXPECT_NEAR(std::exp(density.log_interior) * field * speeds, 0.001, 1e-9);
+}
+
+TEST(JointBirth, OneTargetIsOneGoodSeed) {
+  JointLikelihood likelihood = moving_target(20);
+  JointBirth birth({}, 3.0);
+  const auto seeds = birth.propose(likelihood);
+  ASSERT_FALSE(seeds.empty());
+  EXPECT_NEAR(seeds[0].guess.mean[0], 69.5, 1.0);
+  EXPECT_NEAR(seeds[0].guess.mean[1], 10.0, 1.0);
+  EXPECT_NEAR(seeds[0].guess.mean[2], 1.0, 0.3);
+  EXPECT_NEAR(seeds[0].guess.mean[3], 0.0, 0.3);
+  EXPECT_GT(seeds[0].log_odds, 10.0);
+  for (std::size_t i = 1; i < seeds.size(); ++i) EXPECT_LE(seeds[i].log_odds, seeds[0].log_odds);
+}
+
+TEST(JointBirth, WhatATrackClaimsIsNoSeed) {
+  JointLikelihood likelihood = moving_target(20);
+  likelihood.set_existence(0, 1.0);
+  for (int age = 0; age < 20; ++age) {
+    const csht::ScanTable& scan = likelihood.scans().at_age(age);
+    const double range = scan.detections[0].range;
+    likelihood.add_claim(age, {0, scan.detections[0].beam, static_cast<float>(range), 1.0F});
+  }
+  JointBirth birth({}, 3.0);
+  EXPECT_TRUE(birth.propose(likelihood).empty());
+}
+
+TEST(JointBirth, OneScanHasNoPairs) {
+  JointLikelihood likelihood = moving_target(1);
+  JointBirth birth({}, 3.0);
+  EXPECT_TRUE(birth.propose(likelihood).empty());
+}
+
+// Three exact echoes of a line fix it: position at time 0 is 10, velocity 2.
+TEST(LineFit, IsWeightedLeastSquares) {
+  LineFit fit;
+  for (int k = 0; k < 3; ++k) fit.add({10.0 - 2.0 * k, 5.0}, -1.0 * k, 0.3, 9.0, 1.0, 1.0);
+  const Eigen::Vector4d state = fit.information.inverse() * fit.weighted;
+  EXPECT_NEAR(state[0], 10.0, 1e-9);
+  EXPECT_NEAR(state[1], 5.0, 1e-9);
+  EXPECT_NEAR(state[2], 2.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "core/frames.hpp"
+#include "tests/tracking/sonar_scene.hpp"
+#include "tracking/joint_tracker.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+core::SonarParams known_sonar() {
+  core::SonarParams sonar;
+  sonar.miss_probability = 0.1;
+  sonar.false_alarm_probability = 0.1;
+  return sonar;
+}
+
+struct Outcome {
+  int manoeuvres = 0;
+  double worst = 0.0;             // Largest position error after ten seconds [m].
+  std::vector<std::int64_t> ids;  // Confirmed in the last scan.
+};
+
+// A target at 60 m that moves at 2 m/s and, from scan 20 on, turns at `turn` [rad/s].
+Outcome follow(double turn) {
+  JointTracker tracker({}, known_sonar(), 1);
+  Outcome outcome;
+  tracker.explain_to([&outcome](const TrackDecision& decision) {
+    outcome.manoeuvres += decision.kind == DecisionKind::manoeuvre ? 1 : 0;
+  });
+  Eigen::Vector2d position(60.0, -20.0);
+  double course = core::radians(90.0);
+  for (int k = 0; k < 80; ++k) {
+    outcome.ids.clear();
+    for (const core::Track& track : tracker.update(scan_of(k, {position}))) {
+      if (track.status != core::TrackStatus::confirmed) continue;
+      outcome.ids.push_back(track.id);
+      if (k >= 20) outcome.worst = std::max(outcome.worst, (track.position() - position).norm());
+    }
+    if (k >= 20) course += 0.5 * turn;
+    position += Eigen::Vector2d(std::cos(course), std::sin(course));
+  }
+  return outcome;
+}
+
+TEST(JointManoeuvre, AStraightTargetKeepsItsLine) {
+  EXPECT_EQ(follow(0.0).manoeuvres, 0);
+}
+
+// 6 deg/s at 2 m/s: a circle of 19 m radius, from which a line would be led off by 40 m.
+TEST(JointManoeuvre, ATurningTargetIsFollowedByOneTrack) {
+  const Outcome outcome = follow(core::radians(6.0));
+  EXPECT_GE(outcome.manoeuvres, 1);
+  EXPECT_EQ(outcome.ids.size(), 1U);
+  EXPECT_LT(outcome.worst, 8.0);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

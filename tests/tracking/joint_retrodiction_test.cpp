@@ -1,0 +1,70 @@
+#include "tracking/joint_retrodiction.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tracking/sonar_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+csht::ScanHistory twenty_scans() {
+  csht::ScanHistory scans({}, {}, 40);
+  for (int k = 0; k < 20; ++k) scans.push(scan_of(k, {}));
+  return scans;
+}
+
+// At 70 m north after 9.5 s, northwards at 1 m/s, since 2 s.
+JointTrack sure_track() {
+  JointTrack track;
+  track.used = track.confirmed_once = track.reported = true;
+  track.id = 3;
+  track.log_odds = track.highest_log_odds = 5.0;
+  track.moments.mean << 70.0, 5.0, 1.0, 0.0, 0.0, 0.0;
+  track.first_utime = 2 * kSecond;
+  track.last_detection_utime = 9 * kSecond;
+  return track;
+}
+
+TEST(JointRetrodiction, DrawsATrackBackAlongItsLine) {
+  JointRetrodiction retrodiction;
+  const csht::ScanHistory scans = twenty_scans();
+  const std::vector<JointTrack> tracks{sure_track()};
+  const auto past = retrodiction.at(4'500'000, tracks, scans, 0.5);
+  ASSERT_EQ(past.size(), 1U);
+  EXPECT_DOUBLE_EQ(past[0].state[0], 65.0);
+  EXPECT_EQ(past[0].status, core::TrackStatus::confirmed);
+  EXPECT_TRUE(retrodiction.at(1 * kSecond, tracks, scans, 0.5).empty());  // Before its start.
+}
+
+TEST(JointRetrodiction, RemembersATrackThatEndedUpToItsLastEcho) {
+  JointRetrodiction retrodiction;
+  const csht::ScanHistory scans = twenty_scans();
+  retrodiction.retire(sure_track(), 9'500'000, 4.0);
+  EXPECT_EQ(retrodiction.at(8 * kSecond, {}, scans, 0.5).size(), 1U);
+  EXPECT_TRUE(retrodiction.at(9'500'000, {}, scans, 0.5).empty());
+  retrodiction.forget_before(9'100'000);
+  EXPECT_TRUE(retrodiction.at(8 * kSecond, {}, scans, 0.5).empty());
+}
+
+TEST(JointRetrodiction, WhatWasNeverSureWasFalse) {
+  JointRetrodiction retrodiction;
+  JointTrack track = sure_track();
+  track.highest_log_odds = 2.0;
+  retrodiction.retire(track, 9'500'000, 4.0);
+  EXPECT_TRUE(retrodiction.at(8 * kSecond, {}, twenty_scans(), 0.5).empty());
+}
+
+TEST(JointRetrodiction, OutsideTheSectorItCoasts) {
+  JointRetrodiction retrodiction;
+  JointTrack track = sure_track();
+  track.moments.mean << 10.0, 70.0, 0.0, 0.0, 0.0, 0.0;
+  const std::vector<JointTrack> tracks{track};
+  const auto past = retrodiction.at(5 * kSecond, tracks, twenty_scans(), 0.5);
+  ASSERT_EQ(past.size(), 1U);
+  EXPECT_EQ(past[0].status, core::TrackStatus::coasting);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

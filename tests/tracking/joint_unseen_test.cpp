@@ -1,0 +1,43 @@
+#include "tracking/joint_unseen.hpp"
+
+#include <gtest/gtest.h>
+
+#include "csht/scan_history.hpp"
+#include "tests/tracking/sonar_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+csht::ScanHistory one_scan(double miss, double false_alarm) {
+  csht::SensorFigures figures;
+  figures.miss_probability = miss;
+  figures.false_alarm_probability = false_alarm;
+  csht::ScanHistory scans(figures, {}, 4);
+  scans.push(scan_of(0, {}));
+  return scans;
+}
+
+// csht_limits lists 4.0, 2.1, 1.3, 1.1 nats on the diagonal, to the accuracy of their printing.
+TEST(NatsPerScan, OfTheDiagonal) {
+  const double expected[] = {4.0, 2.1, 1.3, 1.1};
+  for (int k = 0; k < 4; ++k) {
+    const double p = 0.1 + 0.2 * k;
+    const csht::ScanHistory scans = one_scan(p, p);
+    EXPECT_NEAR(nats_per_scan(scans.figures(), scans.newest()), expected[k], 0.06);
+  }
+}
+
+TEST(JointUnseen, FallsFromThePriorToWhatEnters) {
+  const csht::ScanHistory scans = one_scan(0.3, 0.3);
+  JointUnseen unseen({}, 3.0);
+  const double first = unseen.update(scans.newest(), scans.figures(), 0.0);
+  EXPECT_LT(first, 2.0);
+  EXPECT_GT(first, 1.0);
+  double mean = first;
+  for (int k = 0; k < 100; ++k) mean = unseen.update(scans.newest(), scans.figures(), 0.5);
+  // By hand: 2 targets x 2 m/s x 536 m / (pi x 17671 m^2) x 0.5 s = 0.0193 a scan, over 2.1 / 11 found.
+  EXPECT_NEAR(mean, (0.0193 + 0.001) * 11.0 / 2.1 * (1.0 - 0.0), 0.01);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

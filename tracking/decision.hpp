@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+namespace lookout::tracking {
+
+enum class DecisionKind { begin, confirm, withdraw, coast, resume, manoeuvre, straighten, merge, end };
+
+/// "begin", "confirm", ...
+const char* to_string(DecisionKind kind);
+
+/// One decision about a track, for people's eyes.
+struct TrackDecision {
+  std::int64_t utime = 0;  ///< Of the scan that decided [us].
+  std::int64_t track = 0;
+  DecisionKind kind = DecisionKind::begin;
+  double evidence = 0.0;    ///< Log odds of existence [nats]; for a change of motion, in favour of it.
+  const char* reason = "";  ///< A static text.
+};
+
+/// Is called with each decision while a tracker works; must not call the tracker.
+using DecisionLog = std::function<void(const TrackDecision&)>;
+
+}  // namespace lookout::tracking

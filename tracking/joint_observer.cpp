@@ -1,0 +1,114 @@
+#include "tracking/joint_observer.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lookout::tracking {
+namespace {
+
+constexpr double kLeastShare = 0.02;    // Of a beam that is worth a claim.
+constexpr double kEchoSigmas = 4.0;     // An echo this near a trajectory may be its own.
+constexpr std::size_t kPastStride = 8;  // Of a cloud's trajectories, for its claims on past scans.
+
+Eigen::Vector2d moved(const JointCloud& cloud, std::size_t i, double seconds) {
+  const double half_square = 0.5 * seconds * seconds;
+  return {cloud.north[i] + seconds * cloud.north_velocity[i] + half_square * cloud.north_acceleration[i],
+          cloud.east[i] + seconds * cloud.east_velocity[i] + half_square * cloud.east_acceleration[i]};
+}
+
+double total_weight(const JointCloud& cloud, std::size_t stride) {
+  double total = 0.0;
+  for (std::size_t i = 0; i < cloud.size(); i += stride) total += cloud.weight[i];
+  return std::max(total, 1e-9);
+}
+
+}  // namespace
+
+void JointObserver::observe(int slot, JointTrack& track, bool claim, JointLikelihood& likelihood) {
+  const View view = look(slot, track.cloud, 0, claim, 1, likelihood);
+  track.visible_share = view.visible;
+  track.echo_share = view.echo;
+}
+
+void JointObserver::claim_past(int slot, JointTrack& track, int oldest, JointLikelihood& likelihood) {
+  for (int age = 1; age <= oldest; ++age) {
+    if (track.has_claims) likelihood.forget_claims(slot, age);
+    look(slot, track.cloud, age, true, kPastStride, likelihood);
+  }
+  track.has_claims = true;
+}
+
+JointObserver::View JointObserver::look(int slot, const JointCloud& cloud, int age, bool claim,
+                                        std::size_t stride, JointLikelihood& likelihood) {
+  const csht::ScanTable& scan = likelihood.scans().at_age(age);
+  const double seconds = likelihood.scans().seconds_at_age(age);
+  const bool points = scan.clutter == csht::ClutterModel::point;
+  const std::size_t size = points ? scan.detections.size() : static_cast<std::size_t>(scan.num_beams);
+  if (share_.size() < size) share_.resize(size, 0.0);
+  if (range_.size() < size) range_.resize(size, 0.0);
+  touched_.clear();
+  const View view = points ? look_points(cloud, scan, likelihood.scans().figures(), seconds, stride)
+                           : look_beams(cloud, scan, seconds, stride);
+  const double total = total_weight(cloud, stride);
+  for (const int index : touched_) {
+    const auto k = static_cast<std::size_t>(index);
+    if (claim && share_[k] > kLeastShare * total)
+      likelihood.add_claim(age, {slot, index, static_cast<float>(range_[k] / share_[k]),
+                                 static_cast<float>(share_[k] / total)});
+    share_[k] = 0.0;
+    range_[k] = 0.0;
+  }
+  return {view.visible / total, view.echo / total};
+}
+
+JointObserver::View JointObserver::look_beams(const JointCloud& cloud, const csht::ScanTable& scan,
+                                              double seconds, std::size_t stride) {
+  const double gate = kEchoSigmas / static_cast<double>(scan.inverse_sigma);
+  View view;
+  for (std::size_t i = 0; i < cloud.size(); i += stride) {
+    const Eigen::Vector2d at = moved(cloud, i, seconds);
+    const int beam = beam_at(scan, at.x(), at.y());
+    const double range = std::hypot(at.x() - scan.T_earth_sonar.north, at.y() - scan.T_earth_sonar.east);
+    if (beam < 0 || beam >= scan.num_beams || range > scan.max_range) continue;
+    const auto b = static_cast<std::size_t>(beam);
+    if (share_[b] == 0.0) touched_.push_back(beam);
+    share_[b] += cloud.weight[i];
+    range_[b] += cloud.weight[i] * range;
+    view.visible += cloud.weight[i];
+    if (std::abs(static_cast<double>(scan.range[b + 1]) - range) < gate) view.echo += cloud.weight[i];
+  }
+  return view;
+}
+
+// For a sensor without beams: how probably each detection is the track's.
+JointObserver::View JointObserver::look_points(const JointCloud& cloud, const csht::ScanTable& scan,
+                                               const csht::SensorFigures& figures, double seconds,
+                                               std::size_t stride) {
+  const std::size_t count = scan.detections.size();
+  View view;
+  for (std::size_t j = 0; j < count; ++j) touched_.push_back(static_cast<int>(j));
+  for (std::size_t i = 0; i < cloud.size(); i += stride) {
+    const Eigen::Vector2d at = moved(cloud, i, seconds);
+    const double north = at.x() - scan.T_earth_sonar.north, east = at.y() - scan.T_earth_sonar.east;
+    const double range = std::hypot(north, east), azimuth = std::atan2(east, north);
+    const double off_axis = std::abs(core::wrap_to_pi(azimuth - scan.axis));
+    if (range > scan.max_range || off_axis > static_cast<double>(scan.half_sector)) continue;
+    view.visible += cloud.weight[i];
+    double sum = figures.miss_probability;
+    ratio_.assign(count, 0.0);
+    for (std::size_t j = 0; j < count; ++j) {
+      const double dr = (scan.detections[j].range - range) / figures.range_sigma;
+      const double db = core::wrap_to_pi(scan.detections[j].azimuth - azimuth) / figures.bearing_sigma;
+      sum += ratio_[j] = static_cast<double>(scan.gain) * std::exp(-0.5 * (dr * dr + db * db));
+    }
+    for (std::size_t j = 0; j < count; ++j) {
+      const double share = cloud.weight[i] * ratio_[j] / sum;
+      share_[j] += share;
+      range_[j] += share * scan.detections[j].range;
+      view.echo += share;
+    }
+  }
+  return view;
+}
+
+}  // namespace lookout::tracking

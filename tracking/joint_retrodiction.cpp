@@ -1,0 +1,72 @@
+#include "tracking/joint_retrodiction.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+#include "tracking/joint_likelihood.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+/// The scan nearest in time.
+const csht::ScanTable& scan_at(std::int64_t utime, const csht::ScanHistory& scans) {
+  int best = 0;
+  for (int age = 1; age < scans.size(); ++age)
+    if (std::llabs(scans.at_age(age).utime - utime) < std::llabs(scans.at_age(best).utime - utime))
+      best = age;
+  return scans.at_age(best);
+}
+
+bool in_view(const csht::ScanTable& scan, const Eigen::Vector2d& position) {
+  const int beam = beam_at(scan, position.x(), position.y());
+  const double range =
+      std::hypot(position.x() - scan.T_earth_sonar.north, position.y() - scan.T_earth_sonar.east);
+  return beam >= 0 && beam < scan.num_beams && range <= scan.max_range;
+}
+
+}  // namespace
+
+void JointRetrodiction::retire(const JointTrack& track, std::int64_t utime, double settled_log_odds) {
+  if (!track.confirmed_once || track.highest_log_odds < settled_log_odds) return;
+  const std::int64_t last = track.out_of_view ? track.out_of_view_utime : track.last_detection_utime;
+  retired_.push_back(
+      {track.id, track.moments, probability(track.highest_log_odds), utime, track.first_utime, last});
+}
+
+void JointRetrodiction::forget_before(std::int64_t utime) {
+  std::erase_if(retired_, [utime](const Retired& track) { return track.last_utime < utime; });
+}
+
+std::span<const core::Track> JointRetrodiction::at(std::int64_t utime, std::span<const JointTrack> tracks,
+                                                   const csht::ScanHistory& scans, double min_existence) {
+  tracks_.clear();
+  const csht::ScanTable& scan = scan_at(utime, scans);
+  for (const JointTrack& track : tracks) {
+    if (!track.used || (track.existence() < min_existence && !track.reported)) continue;
+    add({track.id, track.moments, track.existence(), scans.newest().utime, track.first_utime, utime}, utime,
+        scan);
+  }
+  for (const Retired& track : retired_) add(track, utime, scan);
+  return tracks_;
+}
+
+void JointRetrodiction::add(const Retired& track, std::int64_t utime, const csht::ScanTable& scan) {
+  if (utime < track.first_utime || utime > track.last_utime) return;
+  const double seconds = core::seconds(utime - track.utime);
+  Eigen::Matrix<double, 4, 6> back = Eigen::Matrix<double, 4, 6>::Zero();
+  for (int k = 0; k < 2; ++k) {
+    back(k, k) = back(k + 2, k + 2) = 1.0;
+    back(k, k + 2) = back(k + 2, k + 4) = seconds;
+    back(k, k + 4) = 0.5 * seconds * seconds;
+  }
+  core::Track& out = tracks_.emplace_back();
+  out.id = track.id;
+  out.state = back * track.moments.mean;
+  out.covariance = back * track.moments.covariance * back.transpose();
+  out.status = in_view(scan, out.position()) ? core::TrackStatus::confirmed : core::TrackStatus::coasting;
+  out.existence = track.existence;
+  out.first_utime = track.first_utime;
+  out.last_detection_utime = std::min(utime, track.last_utime);
+}
+
+}  // namespace lookout::tracking

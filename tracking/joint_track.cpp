@@ -1,0 +1,42 @@
+#include "tracking/joint_track.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace lookout::tracking {
+
+void RecentEvidence::add(double evidence, double expected) {
+  evidence_[static_cast<std::size_t>(next_)] = evidence;
+  expected_[static_cast<std::size_t>(next_)] = expected;
+  next_ = (next_ + 1) % kCapacity;
+  size_ = std::min(size_ + 1, kCapacity);
+}
+
+double RecentEvidence::sum(int scans) const {
+  assert(scans <= size_);
+  double sum = 0.0;
+  for (int k = 1; k <= scans; ++k)
+    sum += evidence_[static_cast<std::size_t>((next_ - k + kCapacity) % kCapacity)];
+  return sum;
+}
+
+double RecentEvidence::expected(int scans) const {
+  assert(scans <= size_);
+  double sum = 0.0;
+  for (int k = 1; k <= scans; ++k)
+    sum += expected_[static_cast<std::size_t>((next_ - k + kCapacity) % kCapacity)];
+  return sum;
+}
+
+double probability(double log_odds) {
+  return 1.0 / (1.0 + std::exp(-log_odds));
+}
+double log_odds(double probability) {
+  return std::log(probability / (1.0 - probability));
+}
+double JointTrack::existence() const {
+  return probability(log_odds);
+}
+
+}  // namespace lookout::tracking

@@ -1,0 +1,37 @@
+#include "tracking/joint_unseen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lookout::tracking {
+namespace {
+
+constexpr double kBirthNats = 11.0;  // Evidence that a new target needs. csht_limits, idea 8.
+constexpr double kLeastNats = 0.05;  // Of information a scan.
+
+}  // namespace
+
+double nats_per_scan(const csht::SensorFigures& figures, const csht::ScanTable& scan) {
+  const double detect = 1.0 - figures.miss_probability;
+  const double echo = std::log(static_cast<double>(scan.gain));
+  if (scan.clutter == csht::ClutterModel::point)
+    return detect * (echo - 1.0) + figures.miss_probability * std::log(figures.miss_probability);
+  return detect * (echo - 0.5) + figures.miss_probability * std::log(figures.miss_probability /
+                                                                     (1.0 - figures.false_alarm_probability));
+}
+
+double JointUnseen::update(const csht::ScanTable& scan, const csht::SensorFigures& figures, double seconds) {
+  const double found = std::clamp(nats_per_scan(figures, scan), kLeastNats, kBirthNats) / kBirthNats;
+  const double sector = std::min(2.0 * std::numbers::pi, scan.num_beams * scan.bearing_step);
+  // Flux of uniformly moving points over a closed border: speed x length / (pi x area).
+  const double border = scan.max_range * (sector + (scan.whole_circle ? 0.0 : 2.0));
+  const double area = 0.5 * sector * scan.max_range * scan.max_range;
+  const double mean_speed = 2.0 / 3.0 * max_speed_;  // Of velocities uniform over a disc.
+  const double entering =
+      params_.expected_targets * mean_speed * border / (std::numbers::pi * area) * seconds;
+  mean_ += entering + params_.interior_rate - found * mean_;
+  return mean_;
+}
+
+}  // namespace lookout::tracking
