@@ -16,8 +16,7 @@ bool same_time(std::int64_t a, std::int64_t b) {
   return std::abs(a - b) <= kSameTime;
 }
 
-/// Takes the newest entry for which `matches` out of `waiting`, and everything before it, which will not be
-/// matched any more.
+/// Takes the oldest entry for which `matches` out of `waiting`.
 template <class Entry, class Matches>
 std::optional<Entry> take_match(std::deque<Entry>& waiting, const Matches& matches) {
   const auto found = std::find_if(waiting.begin(), waiting.end(), matches);

@@ -1,0 +1,38 @@
+# `cpack` in the build folder makes the vehicle's .deb: the program, its systemd unit and its documents; no Java, no
+# GUI, no development files. Debian's own tool finds the libraries that it depends on.
+set(documents ${CMAKE_INSTALL_DATADIR}/doc/lookout)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/packaging/lookout-track.service
+  DESTINATION lib/systemd/system COMPONENT vehicle)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/packaging/lookout.default ${PROJECT_SOURCE_DIR}/README.md
+  DESTINATION ${documents} COMPONENT vehicle)
+
+# Debian's form of the licence: each line indented, empty ones as a dot.
+file(STRINGS ${PROJECT_SOURCE_DIR}/LICENSE license_lines)
+foreach(line IN LISTS license_lines)
+  if(line MATCHES "^Copyright \\(c\\) (.*)$" AND NOT LOOKOUT_COPYRIGHT)
+    set(LOOKOUT_COPYRIGHT "${CMAKE_MATCH_1}")
+  endif()
+  if(line STREQUAL "")
+    string(APPEND LOOKOUT_LICENSE_TEXT " .\n")
+  else()
+    string(APPEND LOOKOUT_LICENSE_TEXT " ${line}\n")
+  endif()
+endforeach()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/packaging/copyright.in ${PROJECT_BINARY_DIR}/packaging/copyright @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/packaging/copyright DESTINATION ${documents} COMPONENT vehicle)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_COMPONENTS_ALL vehicle)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_VEHICLE_PACKAGE_NAME lookout)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PACKAGE_CONTACT "The Lookout maintainers <lookout@localhost>")
+set(CPACK_COMPONENT_VEHICLE_DESCRIPTION
+  "Takes the returns of a multi-beam forward-looking sonar over LCM and publishes,
+every scan, how many targets move around the vehicle, where, and how fast.
+This package holds the on-vehicle program and its systemd unit.")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+include(CPack)

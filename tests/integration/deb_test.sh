@@ -1,0 +1,36 @@
+#!/bin/sh
+# Makes the .deb, and checks what is in it, what it depends on, that its program runs and that systemd accepts its unit.
+# usage: deb_test.sh BUILD_DIR. Status 77 where this machine has not the tools.
+set -eu
+for tool in cpack dpkg-deb dpkg-shlibdeps; do
+  command -v $tool > /dev/null || { echo "SKIPPED: $tool is not installed"; exit 77; }
+done
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+fail() { echo "FAILED: $*"; exit 1; }
+
+(cd "$1" && cpack -B "$folder" > "$folder/log" 2>&1) || { cat "$folder/log"; fail "cpack"; }
+package=$(ls "$folder"/*.deb)
+dpkg-deb -I "$package"
+depends=$(dpkg-deb -f "$package" Depends)
+case "$depends" in *liblcm1*) ;; *) fail "no dependency on liblcm1" ;; esac
+case "$depends" in *java* | *-jre* | *mrpt-slam* | *mrpt-gui* | *mrpt-obs* | *mrpt-opengl* | *-dev*)
+  fail "depends on what a vehicle has no use for: $depends" ;;
+esac
+if dpkg-deb -c "$package" | grep -E '\.(hpp|a|jar|cmake)$'; then fail "development files in the package"; fi
+
+dpkg-deb -x "$package" "$folder/root"
+"$folder/root/usr/bin/lookout" track --help | grep -q 'lookout track' || fail "the program does not run"
+for file in bin/lookout lib/systemd/system/lookout-track.service share/doc/lookout/copyright; do
+  [ -s "$folder/root/usr/$file" ] || fail "no $file"
+done
+if command -v systemd-analyze > /dev/null; then
+  # systemd looks for the program where the unit says that it is.
+  unit=$folder/lookout-track.service
+  sed "s|/usr/bin/lookout|$folder/root/usr/bin/lookout|" "$folder/root/usr/lib/systemd/system/lookout-track.service" > "$unit"
+  systemd-analyze verify --man=no "$unit" > "$folder/said" 2>&1 || { cat "$folder/said"; fail "systemd refuses the unit"; }
+  [ ! -s "$folder/said" ] || { cat "$folder/said"; fail "systemd has something to say about the unit"; }
+else
+  echo "systemd-analyze is not installed: the unit is not checked"
+fi
+echo "passed"
