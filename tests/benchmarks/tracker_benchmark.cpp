@@ -33,7 +33,9 @@ struct Scene {
 
 /// Milliseconds of each update of one run.
 std::vector<double> times_of(const std::string& name, const Scene& scene) {
-  const auto tracker = tracking::make_tracker(name, {}, scene.sonar, {}, kSeed);
+  csht::EstimatorParams estimator;
+  estimator.name = "csht";
+  const auto tracker = tracking::make_tracker(name, {}, scene.sonar, estimator, kSeed);
   std::vector<double> times;
   for (const auto& scan : scene.scans) {
     const double start = tools::thread_time_ms();

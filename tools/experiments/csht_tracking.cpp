@@ -73,6 +73,7 @@ sonar_sim::Scene scene_of(const Cell& cell) {
 std::unique_ptr<tracking::Tracker> tracker_of(const Cell& cell, const sonar_sim::Scene& scene,
                                               std::uint64_t seed) {
   csht::EstimatorParams estimator;
+  estimator.name = "csht";
   estimator.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
   return tracking::make_tracker(cell.method, {}, sonar_sim::known_params(scene, scene.platforms[0]),
                                 estimator, seed);

@@ -115,7 +115,9 @@ class Recordings : public Experiment {
         core::read_recording(data_directory() + "/scenario" + std::to_string(scenario.number));
     auto scans = timed_scans(recording);
     const auto sonar = recording.params.value_or(core::SonarParams{});
-    const auto tracker = tracking::make_tracker(cell.method, {}, sonar, {}, run_seed(seed, run));
+    csht::EstimatorParams estimator;
+    estimator.name = "csht";
+    const auto tracker = tracking::make_tracker(cell.method, {}, sonar, estimator, run_seed(seed, run));
     const TrackingOutput output = track(*tracker, scans);
     mark_in_sight(scans);
     tracking::TrackQuality quality({.gate = scenario.gate});
