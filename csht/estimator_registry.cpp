@@ -7,6 +7,7 @@
 #include "csht/csht_estimator.hpp"
 #include "csht/csht_printed_estimator.hpp"
 #include "csht/joint_estimator.hpp"
+#include "csht/ransac_estimator.hpp"
 #include "csht/sht_estimator.hpp"
 
 namespace lookout::csht {
@@ -48,6 +49,14 @@ std::unique_ptr<MotionEstimator> make_baseline(const EstimatorParams& params, co
   return std::make_unique<Estimator>(own, sonar);
 }
 
+std::unique_ptr<MotionEstimator> make_ransac(const EstimatorParams& params, const core::SonarParams& sonar,
+                                             std::uint64_t seed) {
+  RansacParams ransac;
+  ransac.window_scans = params.window_scans;
+  ransac.first_estimate_scans = params.first_estimate_scans;
+  return std::make_unique<RansacEstimator>(ransac, sonar, seed);
+}
+
 /// One line an estimator.
 const std::vector<Entry>& registry() {
   static const std::vector<Entry> entries{
@@ -55,6 +64,7 @@ const std::vector<Entry>& registry() {
       {"csht", make_csht},
       {"csht_printed", make_baseline<CshtPrintedParams, CshtPrintedEstimator>},
       {"sht", make_baseline<ShtParams, ShtEstimator>},
+      {"ransac", make_ransac},
   };
   return entries;
 }

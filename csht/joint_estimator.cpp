@@ -18,6 +18,10 @@ JointEstimatorParams for_sensor(JointEstimatorParams params, const core::SonarPa
   if (params.first_estimate_scans < 1 || params.first_estimate_scans > params.window_scans)
     throw std::invalid_argument("first_estimate_scans must be 1 to window_scans, got " +
                                 std::to_string(params.first_estimate_scans));
+  if (!(params.prior_looks > 0.0 && params.memory_looks > 0.0))
+    throw std::invalid_argument("prior_looks and memory_looks must be > 0, got " +
+                                std::to_string(params.prior_looks) + " and " +
+                                std::to_string(params.memory_looks));
   return params;
 }
 
@@ -62,7 +66,21 @@ std::span<const core::MotionElement> JointEstimator::update(const core::PosedSca
   const auto targets = search_.update(history_, params_.window_scans, none_, random_);
   report(targets);
   learn_figures(targets);
+  learn_density(targets);
   return elements_;
+}
+
+// A gamma prior over the number of targets in view: its mean and weight, and what the looks so far have seen.
+void JointEstimator::learn_density(std::span<const TargetHypothesis> targets) {
+  if (history_.size() < params_.window_scans) return;
+  const double look = 1.0 / params_.window_scans;
+  const double kept = 1.0 - look / params_.memory_looks;
+  looks_ = kept * looks_ + look;
+  targets_seen_ *= kept;
+  for (const auto& target : targets) targets_seen_ += look * target.existence();
+  const double prior = params_.search.prior.targets_per_view;
+  search_.set_targets_per_view((params_.prior_looks * prior + targets_seen_) /
+                               (params_.prior_looks + looks_));
 }
 
 void JointEstimator::learn_figures(std::span<const TargetHypothesis> targets) {

@@ -16,7 +16,11 @@ struct JointEstimatorParams {
   SensorModelParams model;       ///< The clutter model in it follows the sensor.
   int window_scans = 20;         ///< Scans in a full window, >= 3. [Yan2018] W.
   int first_estimate_scans = 3;  ///< Scans before anything is reported, >= 1.
-  double min_existence = 0.5;    ///< Least probability of existence that is reported, in [0, 1].
+  /// How many independent looks (one a window's duration) the prior number of targets weighs, > 0: the
+  /// number is learnt from the stream, so that an empty sea becomes hard to convince.
+  double prior_looks = 2.0;
+  double memory_looks = 20.0;  ///< Looks after which older ones are forgotten, by e-folding, > 0.
+  double min_existence = 0.5;  ///< Least probability of existence that is reported, in [0, 1].
 
   /// For a window in which every target is in view throughout: no births and no entries within it.
   static JointEstimatorParams window();
@@ -39,6 +43,7 @@ class JointEstimator : public MotionEstimator {
   const ScanHistory& history() const { return history_; }
 
  private:
+  void learn_density(std::span<const TargetHypothesis> targets);
   void learn_figures(std::span<const TargetHypothesis> targets);
   void report(std::span<const TargetHypothesis> targets);
 
@@ -47,6 +52,7 @@ class JointEstimator : public MotionEstimator {
   ScanHistory history_;
   ClaimSet none_;
   JointSearch search_;
+  double looks_ = 0.0, targets_seen_ = 0.0;  ///< Looks taken, and the targets summed over them.
   std::uint64_t seed_;
   core::Random random_;
   std::vector<KnownTarget> known_;

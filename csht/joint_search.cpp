@@ -33,6 +33,12 @@ std::span<const TargetHypothesis> JointSearch::update(const ScanHistory& history
   return targets_;
 }
 
+void JointSearch::set_targets_per_view(double targets_per_view) {
+  TrajectoryPriorParams prior = prior_.params();
+  prior.targets_per_view = targets_per_view;
+  prior_ = TrajectoryPrior(prior);
+}
+
 void JointSearch::clear() {
   candidates_.clear();
   targets_.clear();

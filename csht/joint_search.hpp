@@ -36,6 +36,9 @@ class JointSearch {
   std::span<const TargetHypothesis> update(const ScanHistory& history, int window_scans,
                                            const ClaimSet& known, core::Random& random);
 
+  /// Replaces the prior's number of targets in the field of view, > 0, as it is learnt.
+  void set_targets_per_view(double targets_per_view);
+
   void clear();  ///< Forgets all candidates.
 
   std::span<const Seed> seeds() const { return seeds_found_; }  ///< Of the last update.

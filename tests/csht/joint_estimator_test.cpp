@@ -77,6 +77,13 @@ TEST(JointEstimator, ForgetsATargetThatHasLeft) {
   EXPECT_TRUE(estimate(estimator, scans).empty());
 }
 
+// 200 scans without a target: nine looks beside the prior's two, 2 targets x 2 / 11 = 0.36 remain.
+TEST(JointEstimator, AnEmptySeaBecomesHardToConvince) {
+  JointEstimator estimator({}, known_sonar(), 1);
+  EXPECT_TRUE(estimate(estimator, testing::noisy_scans({}, 200, 9, 1014)).empty());
+  EXPECT_NEAR(estimator.search().prior().params().targets_per_view, 0.40, 0.06);
+}
+
 TEST(JointEstimator, RefusesNonsense) {
   JointEstimatorParams short_window, too_sure;
   short_window.window_scans = 2;

@@ -12,6 +12,7 @@
 #include "sonar_sim/scene.hpp"
 #include "tools/experiments/least_squares_reference.hpp"
 #include "tools/experiments/paper_figures.hpp"
+#include "tools/experiments/sensor_knowledge.hpp"
 #include "tools/experiments/simulated_run.hpp"
 #include "tools/vote_matrices.hpp"
 #include "tracking/metrics/ospa.hpp"
@@ -20,7 +21,9 @@ namespace lookout::tools {
 namespace {
 
 constexpr const char* kScene = "window_table2.yaml";
-constexpr int kWindowScans = 20;  // [Yan2018] section V.A
+constexpr int kWindowScans = 20;     // [Yan2018] section V.A
+constexpr int kUnknownRuns = 100;    // Each watches a hundred scans of another scene first.
+constexpr int kLongWindowRuns = 20;  // Of the methods that no long window helps.
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -44,17 +47,70 @@ Elements visible_truth(const core::GroundTruth& truth) {
   return elements;
 }
 
-Cell cell_of(const std::string& method, const PaperFigures& paper, double p_false_alarm, double p_miss,
-             double sigma, const std::string& clutter) {
+/// What varies from cell to cell beside the method.
+struct Setting {
+  std::string clutter = "literal";
+  double p_false_alarm = 0.3;
+  double p_miss = 0.3;
+  double sigma = 3.0;
+  int window_scans = kWindowScans;
+  std::string sensor_figures = "known";
+};
+
+Cell cell_of(const std::string& method, const PaperFigures& paper, const Setting& setting) {
   Cell cell;
   cell.method = method;
-  cell.parameters = {{"p_false_alarm", p_false_alarm},
-                     {"p_miss", p_miss},
-                     {"sigma", sigma},
-                     {"window_scans", static_cast<double>(kWindowScans)},
-                     {"clutter", clutter}};
-  cell.paper = paper.at(method == "sht" ? "sht" : "csht", cell.parameters);
+  cell.parameters = {{"p_false_alarm", setting.p_false_alarm},
+                     {"p_miss", setting.p_miss},
+                     {"sigma", setting.sigma},
+                     {"window_scans", static_cast<double>(setting.window_scans)},
+                     {"clutter", setting.clutter},
+                     {"sensor_figures", setting.sensor_figures}};
+  if (setting.window_scans == kWindowScans)
+    cell.paper = paper.at(method == "sht" ? "sht" : "csht", cell.parameters);
   return cell;
+}
+
+/// The sixteen pairs of probabilities and the four other sigmas of [Yan2018] Tables 3 to 6.
+void add_table(const std::string& method, const PaperFigures& paper, Setting setting,
+               std::vector<Cell>& cells) {
+  for (const double p_miss : {0.1, 0.3, 0.5, 0.7}) {
+    for (const double p_false_alarm : {0.1, 0.3, 0.5, 0.7}) {
+      setting.p_miss = p_miss;
+      setting.p_false_alarm = p_false_alarm;
+      cells.push_back(cell_of(method, paper, setting));
+    }
+  }
+  setting.p_miss = setting.p_false_alarm = 0.3;
+  for (const double sigma : {1.0, 2.0, 4.0, 5.0}) {
+    setting.sigma = sigma;
+    cells.push_back(cell_of(method, paper, setting));
+  }
+}
+
+/// Longer windows: of `joint` the whole table, of the others the diagonal.
+void add_long_windows(const PaperFigures& paper, std::vector<Cell>& cells) {
+  for (const int window_scans : {40, 60}) {
+    for (const char* clutter : {"light", "literal"})
+      add_table("joint", paper, {.clutter = clutter, .window_scans = window_scans}, cells);
+    for (const char* method : {"csht", "csht_printed", "sht", "ransac"}) {
+      for (const double p : {0.1, 0.3, 0.5, 0.7}) {
+        cells.push_back(
+            cell_of(method, paper, {.p_false_alarm = p, .p_miss = p, .window_scans = window_scans}));
+        cells.back().max_runs = kLongWindowRuns;
+      }
+    }
+  }
+}
+
+/// `joint` without the sensor's probabilities, and with wrong ones.
+void add_unknown_figures(const PaperFigures& paper, std::vector<Cell>& cells) {
+  const std::size_t first = cells.size();
+  add_table("joint", paper, {.sensor_figures = "unknown"}, cells);
+  for (std::size_t i = first; i < cells.size(); ++i) cells[i].max_runs = kUnknownRuns;
+  for (const char* figures : {"half", "double"})
+    for (const double p : {0.3, 0.5})
+      cells.push_back(cell_of("joint", paper, {.p_false_alarm = p, .p_miss = p, .sensor_figures = figures}));
 }
 
 class CshtWindow : public Experiment {
@@ -72,16 +128,11 @@ class CshtWindow : public Experiment {
 std::vector<Cell> CshtWindow::cells() const {
   const PaperFigures paper("yan2018_window_tables.csv");
   std::vector<Cell> cells;
-  for (const char* clutter : {"light", "literal"}) {
-    for (const char* method : {"csht", "csht_printed", "sht"}) {
-      for (const double p_miss : {0.1, 0.3, 0.5, 0.7}) {
-        for (const double p_false_alarm : {0.1, 0.3, 0.5, 0.7})
-          cells.push_back(cell_of(method, paper, p_false_alarm, p_miss, 3.0, clutter));
-      }
-      for (const double sigma : {1.0, 2.0, 4.0, 5.0})
-        cells.push_back(cell_of(method, paper, 0.3, 0.3, sigma, clutter));
-    }
-  }
+  for (const char* clutter : {"light", "literal"})
+    for (const char* method : {"joint", "csht", "csht_printed", "sht", "ransac"})
+      add_table(method, paper, {.clutter = clutter}, cells);
+  add_long_windows(paper, cells);
+  add_unknown_figures(paper, cells);
   return cells;
 }
 
@@ -121,13 +172,15 @@ Answer estimate(csht::MotionEstimator& estimator, const std::vector<TimedScan>& 
 
 Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
   const auto& p = cell.parameters;
-  const auto scene = load_variant(kScene, {p.number("p_false_alarm"), p.number("p_miss"), p.number("sigma"),
-                                           clutter_reading(p.text("clutter"))});
-  const auto scans = simulate(scene, seed, run);
-  const auto sonar = sonar_sim::known_params(scene, scene.platforms.front());
+  const SceneVariant variant{p.number("p_false_alarm"), p.number("p_miss"), p.number("sigma"),
+                             clutter_reading(p.text("clutter"))};
   csht::EstimatorParams params;
   params.use = csht::EstimatorUse::window;
   params.window_scans = static_cast<int>(p.number("window_scans"));
+  auto scene = load_variant(kScene, variant);
+  scene.duration = params.window_scans * scene.platforms.front().sonar.params.scan_period;
+  const auto scans = simulate(scene, seed, run);
+  const auto sonar = told_params(scene, variant, p.text("sensor_figures"), seed, run);
   params.first_estimate_scans = params.window_scans;
   const auto estimator =
       csht::make_estimator(cell.method, params, sonar, seed + static_cast<std::uint64_t>(run));

@@ -6,6 +6,7 @@
 #include "tools/experiments/agfht_experiments.hpp"
 #include "tools/experiments/csht_tracking.hpp"
 #include "tools/experiments/csht_window.hpp"
+#include "tools/experiments/limits.hpp"
 #include "tools/experiments/nht_experiments.hpp"
 #include "tools/experiments/recordings.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 const std::array kExperiments{
     ExperimentEntry{"csht-window", make_csht_window},
     ExperimentEntry{"csht-tracking", make_csht_tracking},
+    ExperimentEntry{"limits", make_limits},
     ExperimentEntry{"recordings", make_recordings},
     ExperimentEntry{"nht-simulated", make_nht_simulated},
     ExperimentEntry{"nht-real", make_nht_real},
