@@ -18,7 +18,7 @@ struct CountDecisionParams {
   double clutter_regulariser = 4.0;  ///< Samples added to the clutter count, so that an empty sea has a rate,
                                      ///< > 0.
   double foreign_echo = -3.0;        ///< Log likelihood ratio of another range in the target's beam, <= 0.
-  double edge = 0.25;  ///< So near to its beam's edge [beams] the echo may lie next door, in [0, .5].
+  double edge = 0.1;  ///< So near to its beam's edge [beams] the echo may lie next door, in [0, .5].
   double targets_in_view = 2.0;  ///< Prior mean number of targets in the field of view, > 0.
   double prior_speed = 5.0;      ///< Their speeds are spread over a disc of this radius [m/s], > 0.
 };

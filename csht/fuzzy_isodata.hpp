@@ -11,7 +11,7 @@ namespace lookout::csht {
 struct FuzzyIsodataParams {
   double exponent = 2.0;         ///< m of the memberships, > 1.
   double core_membership = 0.5;  ///< theta: a membership above it counts as the pattern's core, in [0, 1).
-  double aggregation = 0.7;      ///< A: a pattern above it is compact, in [0, 1].
+  double aggregation = 0.8;      ///< A: a pattern above it is compact, in [0, 1].
   double combination = 0.02;     ///< alpha_c: larger combines patterns farther apart, >= 0.
   double division_spread = 1.0;  ///< gamma: larger divides more as the patterns grow in number, >= 0.
   double division_step = 0.5;    ///< lambda_d: how far the halves are put apart, > 0.

@@ -15,7 +15,7 @@ struct LineClassesParams {
   PrimaryThresholdParams threshold;
   FuzzyIsodataParams isodata;
   double first_apart = 3.0;  ///< Least distance of two first classes [grid steps], >= 0.
-  int max_first = 12;        ///< K0, most first classes, > 0.
+  int max_first = 20;        ///< K0, most first classes, > 0.
 };
 
 /// The clustering statistic of one vote matrix: cells above the primary threshold, first classes at their

@@ -11,8 +11,8 @@ namespace lookout::csht {
 struct RefitParams {
   /// Added to the error when samples are chosen, round by round [m], >= 0: a coarse start finds its samples,
   /// the last round takes only what fits.
-  std::array<double, 4> slack = {2.0, 1.4, 1.0, 0.7};
-  double gate = 8.0;    ///< Largest squared distance of an own sample (chi-square, 2 degrees), > 0.
+  std::array<double, 4> slack = {2.0, 1.4, 0.7, 0.3};
+  double gate = 7.0;    ///< Largest squared distance of an own sample (chi-square, 2 degrees), > 0.
   int min_support = 3;  ///< Own scans that a fit needs, >= 2.
   double max_speed = 5.0 * 4.0 / 3.0;  ///< Faster fits are refused [m/s], > 0.
 };
