@@ -8,6 +8,7 @@ namespace lookout::csht {
 CshtParams CshtParams::tracking() {
   CshtParams params;
   params.intercept_step = 0.7;
+  params.classes.max_first = 12;  // tracks are offered back: more classes cost time and gain nothing
   params.classes.threshold.floor = 2.0;
   params.classes.threshold.mean_root = 1.0;
   params.correlation.max_lines = 3;
