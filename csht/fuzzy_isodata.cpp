@@ -36,7 +36,7 @@ double distance(const FeaturePoint& a, const FeaturePoint& b) {
 }  // namespace
 
 FuzzyIsodata::FuzzyIsodata(const FuzzyIsodataParams& params)
-    : params_(validated(params)), partition_(params.exponent) {}
+    : params_(validated(params)), partition_(params.fuzzifier) {}
 
 std::span<const FeaturePoint> FuzzyIsodata::cluster(const WeightedPoints& points,
                                                     std::span<const FeaturePoint> first) {

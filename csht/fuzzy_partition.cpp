@@ -58,8 +58,8 @@ FeaturePoint WeightedPoints::mean() const {
   return {static_cast<float>(x / total_weight_), static_cast<float>(y / total_weight_)};
 }
 
-FuzzyPartition::FuzzyPartition(double exponent) : exponent_(exponent), squares_(exponent == 2.0) {
-  if (!(exponent > 1.0)) throw std::invalid_argument("exponent must be > 1, got " + std::to_string(exponent));
+FuzzyPartition::FuzzyPartition(double fuzzifier) : fuzzifier_(fuzzifier), squares_(fuzzifier == 2.0) {
+  if (!(fuzzifier > 1.0)) throw std::invalid_argument("fuzzifier must be > 1, got " + std::to_string(fuzzifier));
 }
 
 // [Yan2018] Eq. (22) for the points of one block, mu_i = a_i / sum a with a = d^(-2/(m-1)): the affinities a
@@ -71,7 +71,7 @@ void FuzzyPartition::affinities(const WeightedPoints& points, int block,
   for (std::size_t i = 0; i < centres.size(); ++i) {
     Lanes& a = affinity_[i];
     a = ((x - centres[i].x).square() + (y - centres[i].y).square() + kOnCentre).inverse();
-    if (!squares_) a = a.pow(static_cast<float>(1.0 / (exponent_ - 1.0)));
+    if (!squares_) a = a.pow(static_cast<float>(1.0 / (fuzzifier_ - 1.0)));
     scale_ += a;
   }
   scale_ = scale_.inverse();
@@ -82,7 +82,7 @@ void FuzzyPartition::raise(Lanes& values) const {
   if (squares_) {
     values = values.square();
   } else {
-    values = values.pow(static_cast<float>(exponent_));
+    values = values.pow(static_cast<float>(fuzzifier_));
   }
 }
 

@@ -50,8 +50,8 @@ struct PatternStatistics {
 /// Weighted fuzzy c-means: memberships and centres. [Yan2018] Eq. (21)-(23).
 class FuzzyPartition {
  public:
-  /// @param exponent m, > 1.
-  explicit FuzzyPartition(double exponent);
+  /// @param fuzzifier m, > 1.
+  explicit FuzzyPartition(double fuzzifier);
 
   /// Moves `centres` to the weighted means under their memberships, once. A point that lies on a centre
   /// belongs to it alone.
@@ -69,7 +69,7 @@ class FuzzyPartition {
   void raise(Lanes& values) const;
   float move(std::span<FeaturePoint> centres) const;
 
-  double exponent_;
+  double fuzzifier_;
   bool squares_;                 ///< m = 2, where no power needs computing.
   std::vector<Lanes> affinity_;  ///< Of one block, a pattern each.
   Lanes scale_ = Lanes::Zero();  ///< Of one block.

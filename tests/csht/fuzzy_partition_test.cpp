@@ -40,8 +40,8 @@ TEST(FuzzyPartition, AWeightIsThatManySamples) {
   const auto weighted = points_of({{{0, 1}, 3.0F}, {{2, 0}, 1.0F}, {{9, 3}, 2.0F}});
   const auto repeated = points_of(
       {{{0, 1}, 1.0F}, {{0, 1}, 1.0F}, {{0, 1}, 1.0F}, {{2, 0}, 1.0F}, {{9, 3}, 1.0F}, {{9, 3}, 1.0F}});
-  for (const double exponent : {2.0, 2.5}) {
-    FuzzyPartition partition(exponent);
+  for (const double fuzzifier : {2.0, 2.5}) {
+    FuzzyPartition partition(fuzzifier);
     std::vector<FeaturePoint> a{{1, 1}, {8, 2}}, b = a;
     partition.update(weighted, a);
     partition.update(repeated, b);
@@ -61,7 +61,7 @@ TEST(FuzzyPartition, DeviationIsThatOfTheSamples) {
   EXPECT_NEAR(statistics[0].aggregation(), 1.0, 1e-5);
 }
 
-TEST(FuzzyPartition, RefusesAnExponentOfOne) {
+TEST(FuzzyPartition, RefusesAFuzzifierOfOne) {
   EXPECT_THROW(FuzzyPartition(1.0), std::invalid_argument);
 }
 
