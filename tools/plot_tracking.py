@@ -65,7 +65,7 @@ def plot_map(directory, methods):
 
 
 def plot_table(directory):
-    rows = [row for row in rows_of(directory / "results.csv") if row["metric"] == "ospa" and float(row["sigma"]) == 3.0]
+    rows = [row for row in rows_of(directory / "results.csv") if row["metric"] == "ospa" and is_paper_case(row)]
     for clutter in sorted({row["clutter"] for row in rows}):
         chosen = [row for row in rows if row["clutter"] == clutter]
         misses = sorted({row["p_miss"] for row in chosen}, key=float)
@@ -77,6 +77,10 @@ def plot_table(directory):
         axes[0][0].set_ylabel("OSPA in view [m]")
         axes[0][0].legend(fontsize=7)
         save(figure, directory / f"ospa_{clutter}.png")
+
+
+def is_paper_case(row):
+    return float(row["sigma"]) == 3.0 and row["sensor_figures"] == "known" and float(row["lag_s"]) == 0.0
 
 
 def curve_name(row):

@@ -1,5 +1,6 @@
 #include "tools/experiments/csht_tracking.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "core/csv.hpp"
@@ -24,7 +25,9 @@ constexpr double kPaperSigma = 3.0;        ///< Of the 16 cells [m].
 constexpr double kPaperProbability = 0.3;  ///< Of the other sigmas.
 constexpr double kPaperWindow = 20.0;
 constexpr double kLongWindow = 40.0;
-constexpr int kCostlyRuns = 5;  ///< Window trackers under literal clutter.
+constexpr double kLags[] = {5.0, 10.0};  ///< Delayed output of the trackers that have one [s].
+constexpr int kFurtherRuns = 30;         ///< Of unknown figures and delayed output.
+constexpr int kCostlyRuns = 5;           ///< Window trackers under literal clutter.
 
 /// One point of the tables.
 struct Point {
@@ -46,6 +49,11 @@ bool uses_window(const std::string& method) {
   return method == "csht";
 }
 
+/// Trackers that use the sensor's probabilities, or estimate them where they are not told.
+bool uses_figures(const std::string& method) {
+  return method == "joint";
+}
+
 /// The longer window is for high miss rates; the diagonal shows what it does elsewhere.
 bool in_long_window_row(const Point& point) {
   return point.sigma == kPaperSigma &&
@@ -59,9 +67,28 @@ Cell make_cell(const std::string& method, const std::string& clutter, const Poin
                      {"p_false_alarm", point.p_false_alarm},
                      {"p_miss", point.p_miss},
                      {"sigma", point.sigma},
-                     {"window_scans", window}};
+                     {"window_scans", window},
+                     {"sensor_figures", "known"},
+                     {"lag_s", 0.0}};
   if (uses_window(method) && clutter == "literal") cell.max_runs = kCostlyRuns;
   return cell;
+}
+
+Cell variant(Cell cell, const std::string& parameter, const ParameterValue& value) {
+  cell.parameters.set(parameter, value);
+  cell.max_runs = std::min(cell.max_runs, kFurtherRuns);
+  return cell;
+}
+
+/// The paper's case at one point, and what goes beyond it.
+void add_cells(const std::string& method, const std::string& clutter, const Point& point,
+               std::vector<Cell>& cells, std::vector<Cell>& further) {
+  cells.push_back(make_cell(method, clutter, point, kPaperWindow));
+  if (uses_window(method) && in_long_window_row(point))
+    further.push_back(make_cell(method, clutter, point, kLongWindow));
+  if (!uses_figures(method)) return;
+  further.push_back(variant(cells.back(), "sensor_figures", "unknown"));
+  for (const double lag : kLags) further.push_back(variant(cells.back(), "lag_s", lag));
 }
 
 sonar_sim::Scene scene_of(const Cell& cell) {
@@ -75,8 +102,12 @@ std::unique_ptr<tracking::Tracker> tracker_of(const Cell& cell, const sonar_sim:
   csht::EstimatorParams estimator;
   estimator.name = "csht";
   estimator.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
-  return tracking::make_tracker(cell.method, {}, sonar_sim::known_params(scene, scene.platforms[0]),
-                                estimator, seed);
+  core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
+  if (cell.parameters.text("sensor_figures") == "unknown") {
+    sonar.false_alarm_probability.reset();
+    sonar.miss_probability.reset();
+  }
+  return tracking::make_tracker(cell.method, {}, sonar, estimator, seed);
 }
 
 /// Mean OSPA of the tracker that is told which echo is whose.
@@ -96,19 +127,15 @@ class CshtTracking : public Experiment {
   std::string plot_script() const override { return "plot_tracking.py"; }
 
   std::vector<Cell> cells() const override {
-    std::vector<Cell> cells, long_cells;
+    std::vector<Cell> cells, further;
     for (const std::string clutter : {"literal", "light"}) {
       for (const auto& method : tracking::tracker_names()) {
-        for (const auto& point : paper_points()) {
-          cells.push_back(make_cell(method, clutter, point, kPaperWindow));
-          if (uses_window(method) && in_long_window_row(point))
-            long_cells.push_back(make_cell(method, clutter, point, kLongWindow));
-        }
+        for (const auto& point : paper_points()) add_cells(method, clutter, point, cells, further);
       }
     }
     const PaperFigures paper(kPaperTable);
     for (auto& cell : cells) cell.paper = paper.at(cell.method, cell.parameters);
-    cells.insert(cells.end(), long_cells.begin(), long_cells.end());
+    cells.insert(cells.end(), further.begin(), further.end());
     return cells;
   }
 
@@ -116,7 +143,7 @@ class CshtTracking : public Experiment {
     const sonar_sim::Scene scene = scene_of(cell);
     const auto scans = simulate(scene, seed, run);
     const auto tracker = tracker_of(cell, scene, run_seed(seed, run));
-    Metrics metrics = score(scans, track(*tracker, scans));
+    Metrics metrics = score(scans, track(*tracker, scans, cell.parameters.number("lag_s")));
     metrics["bound"] = bound(scans, scene.platforms[0].sonar.params);
     return metrics;
   }

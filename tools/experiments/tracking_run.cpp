@@ -11,14 +11,17 @@ std::uint64_t run_seed(std::uint64_t seed, int run) {
   return core::Random(seed, core::RandomStream::experiment, static_cast<std::uint64_t>(run))();
 }
 
-TrackingOutput track(tracking::Tracker& tracker, const std::vector<TimedScan>& scans) {
+TrackingOutput track(tracking::Tracker& tracker, const std::vector<TimedScan>& scans, double lag_s) {
   TrackingOutput output;
   double spent_ms = 0.0;
   for (const auto& scan : scans) {
     const double start_ms = thread_time_ms();
-    const auto tracks = tracker.update(scan.posed);
+    auto tracks = tracker.update(scan.posed);
+    const std::int64_t asked = scans[output.tracks.size()].truth.utime;
+    const bool due = scan.truth.utime - asked >= core::microseconds(lag_s);
+    if (due && lag_s > 0.0) tracks = tracker.retrodict(asked);
     spent_ms += thread_time_ms() - start_ms;
-    output.tracks.emplace_back(tracks.begin(), tracks.end());
+    if (due) output.tracks.emplace_back(tracks.begin(), tracks.end());
   }
   output.time_ms = scans.empty() ? 0.0 : spent_ms / static_cast<double>(scans.size());
   return output;
@@ -27,7 +30,7 @@ TrackingOutput track(tracking::Tracker& tracker, const std::vector<TimedScan>& s
 Metrics score(const std::vector<TimedScan>& scans, const TrackingOutput& output) {
   tracking::Scorer visible({}, tracking::TruthKind::visible), schedule({}, tracking::TruthKind::schedule);
   tracking::TrackQuality quality;
-  for (std::size_t k = 0; k < scans.size(); ++k) {
+  for (std::size_t k = 0; k < output.tracks.size(); ++k) {
     visible.add(scans[k].truth, output.tracks[k]);
     schedule.add(scans[k].truth, output.tracks[k]);
     quality.add(scans[k].truth, output.tracks[k]);

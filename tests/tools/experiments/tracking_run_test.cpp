@@ -32,6 +32,17 @@ TEST(TrackingRun, RunsDrawFromSeedsOfTheirOwn) {
   EXPECT_NE(run_seed(1, 5), run_seed(2, 5));
 }
 
+TEST(TrackingRun, DelayedOutputAnswersForScansThatAreLongEnoughAgo) {
+  const auto scans = easy_run();
+  const auto scene = load_variant("tracking_table7.yaml", {0.1, 0.1, 1.0, sonar_sim::ClutterReading::light});
+  const core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
+  const auto online = tracking::make_tracker("joint", {}, sonar, {}, 1);
+  const auto delayed = tracking::make_tracker("joint", {}, sonar, {}, 1);
+  const auto late = track(*delayed, scans, 5.0);
+  EXPECT_EQ(late.tracks.size(), scans.size() - 10);  // 5 s of two scans a second
+  EXPECT_LT(score(scans, late).at("ospa").value, score(scans, track(*online, scans)).at("ospa").value);
+}
+
 TEST(PerfectAssociation, IsBetterThanATracker) {
   const auto scans = easy_run();
   const core::SonarParams sonar;
@@ -57,14 +68,16 @@ TEST(PerfectAssociation, NeverReportsMoreThanIsInView) {
 
 TEST(CshtTracking, HasBothReadingsAndThePapersFigures) {
   const auto cells = make_csht_tracking()->cells();
-  int light = 0, printed = 0;
+  int light = 0, printed = 0, delayed = 0;
   for (const auto& cell : cells) {
+    delayed += cell.parameters.number("lag_s") > 0.0 ? 1 : 0;
     if (cell.method != "kalman") continue;
     light += cell.parameters.text("clutter") == "light" ? 1 : 0;
     printed += cell.paper.contains("ospa_cardinality") ? 1 : 0;
   }
   EXPECT_EQ(light, 20);    // 16 pairs of probabilities and four further sigmas
   EXPECT_EQ(printed, 40);  // in both readings
+  EXPECT_EQ(delayed, 80);  // joint, 5 and 10 s
 }
 
 }  // namespace
