@@ -8,6 +8,13 @@
 namespace lookout::tools {
 namespace {
 
+constexpr const char* kDefaultTracker = "joint";
+
+/// The faithful tracker is driven by the faithful estimator; beside every other tracker stands the best one.
+std::string default_estimator(const std::string& tracker) {
+  return tracker == "csht" ? "csht" : "joint";
+}
+
 void read_configuration(const core::YamlMap& map, Configuration& configuration) {
   if (const auto part = map.map("sensor")) core::read_sonar_params(*part, configuration.sensor);
   if (const auto part = map.map("estimator")) csht::read_estimator_params(*part, configuration.estimator);
@@ -32,9 +39,13 @@ void apply_name(const std::string& flag, const std::string& given, const std::ve
 
 Configuration load_configuration(const Options& options) {
   Configuration configuration;
+  configuration.tracker.name = kDefaultTracker;
+  configuration.estimator.name.clear();  // not chosen yet
   if (!options.config.empty()) read_configuration(core::YamlMap::load_file(options.config), configuration);
   apply_name("--estimator", options.estimator, csht::estimator_names(), configuration.estimator.name);
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
+  if (configuration.estimator.name.empty())
+    configuration.estimator.name = default_estimator(configuration.tracker.name);
   return configuration;
 }
 

@@ -4,8 +4,8 @@
 
 namespace lookout::tools {
 
-/// Processor time of the calling thread [ms]. Unlike wall time it does not count what other programs take of a
-/// shared machine.
+/// Processor time of the calling thread [ms]. Unlike wall time it does not count what other programs take of
+/// a shared machine.
 inline double thread_time_ms() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

@@ -1,13 +1,18 @@
 #include "tools/tracking_chain.hpp"
 
 #include "tools/log.hpp"
+#include "tracking/estimating_tracker.hpp"
 
 namespace lookout::tools {
 
 tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configuration, std::uint64_t seed) {
-  return [configuration, seed](const core::SonarParams& sensor) {
-    return tracking::make_tracker(configuration.tracker.name, configuration.tracker, sensor,
-                                  configuration.estimator, seed);
+  return [configuration, seed](const core::SonarParams& sensor) -> std::unique_ptr<tracking::Tracker> {
+    const csht::EstimatorParams& estimator = configuration.estimator;
+    auto tracker =
+        tracking::make_tracker(configuration.tracker.name, configuration.tracker, sensor, estimator, seed);
+    if (tracker->has_estimator()) return tracker;
+    return std::make_unique<tracking::EstimatingTracker>(
+        std::move(tracker), csht::make_estimator(estimator.name, estimator, sensor, seed));
   };
 }
 

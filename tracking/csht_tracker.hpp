@@ -36,6 +36,7 @@ class CshtTracker : public Tracker {
 
   std::span<const core::Track> update(const core::PosedScan& scan) override;
   std::span<const core::MotionElement> elements() const override { return elements_; }
+  bool has_estimator() const override { return true; }
 
  private:
   void associate(const core::SonarParams& sonar);

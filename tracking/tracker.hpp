@@ -25,6 +25,9 @@ class Tracker {
   /// is used.
   virtual std::span<const core::MotionElement> elements() const { return {}; }
 
+  /// Whether an estimator drives the tracker, so that it has elements of its own.
+  virtual bool has_estimator() const { return false; }
+
   /// The sensor's figures as the tracker sees them after the newest scan; nothing from trackers that do not
   /// estimate them.
   virtual std::optional<core::SensorEstimate> sensor_estimate() const { return std::nullopt; }
