@@ -11,7 +11,9 @@
 namespace lookout::csht {
 namespace {
 
-constexpr double kPairSigmas = 4.0;    // Echoes farther from the prediction do not count [sigma].
+constexpr double kPairSigmas = 4.0;  // Echoes farther from the prediction do not count [sigma].
+constexpr std::size_t kEchoesPerScan =
+    3;                                 // Of a hypothesis at most, with beams: its own and both neighbours.
 constexpr double kLeastWeight = 1e-6;  // Memberships below change nothing.
 constexpr double kFarPosition = 30.0;  // Sigma that keeps the position of a cluster regular [m].
 
@@ -50,6 +52,7 @@ void JointClusters::refine(const ScanHistory& history, int window_scans, const C
   const int window = std::min(window_scans, history.size());
   score(history, window, claims, prior, hypotheses);
   before_ = hypotheses;
+  echoes_.reserve(kEchoesPerScan * hypotheses.capacity() * static_cast<std::size_t>(window));
   for (int round = 0; round < params_.rounds; ++round) {
     const Tolerance tolerance{
         blend(params_.first.sigma_scale, params_.last.sigma_scale, round, params_.rounds),

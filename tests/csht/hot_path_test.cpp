@@ -30,6 +30,7 @@ TEST_P(HotPath, AllocatesNothingOnceWarm) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Faithful, HotPath, ::testing::Values("csht", "csht_printed", "sht"));
+INSTANTIATE_TEST_SUITE_P(Joint, HotPath, ::testing::Values("joint"));
 
 }  // namespace
 }  // namespace lookout::csht
