@@ -46,12 +46,6 @@ const Eigen::Vector4d kLeastVariance(1e-4, 1e-4, 1e-4, 1e-4);
 constexpr double kCooling = 0.7;     // Factor on the power of the weights per step of flattening.
 constexpr double kLeastHeat = 0.02;  // Below it the weights are as good as flat.
 
-// ln(e^a + e^b) to single precision.
-double log_add(double a, double b) {
-  const double high = std::max(a, b);
-  return high + static_cast<double>(fast_log(1.0F + fast_exp(static_cast<float>(std::min(a, b) - high))));
-}
-
 bool in_view(const ScanTable& scan, const Eigen::Vector2d& p_earth) {
   const double dn = p_earth.x() - scan.T_earth_sonar.north, de = p_earth.y() - scan.T_earth_sonar.east;
   const double x = scan.cos_axis * dn + scan.sin_axis * de, y = scan.cos_axis * de - scan.sin_axis * dn;
@@ -173,7 +167,7 @@ void JointEvidence::weigh(const ScanHistory& history, int window_scans, const Cl
                   {first(north_), first(east_), first(north_velocity_), first(east_velocity_)},
                   history.seconds_at_age(age), tolerance, sum);
     if (age == 0 || !std::isfinite(prior.log_birth())) continue;
-    for (double& value : sum) value = log_add(value, prior.log_birth());
+    add_births(prior.log_birth(), sum);
   }
 }
 

@@ -83,17 +83,30 @@ void JointSearch::add_seeds(const ScanHistory& history, int window) {
 // Greedy: the surest candidate becomes a target and takes its beams from the rest, which are weighed again.
 void JointSearch::choose(const ScanHistory& history, int window, core::Random& random) {
   while (!candidates_.empty()) {
-    clusters_.score(history, window, claims_, prior_, candidates_);
-    auto best = candidates_.end();
-    for (auto candidate = candidates_.begin(); candidate != candidates_.end(); ++candidate) {
-      if (candidate->log_odds < params_.evaluate_above) continue;
-      evidence_.evaluate(history, window, claims_, prior_, evidence_.stages(), random, *candidate);
-      if (best == candidates_.end() || candidate->log_odds > best->log_odds) best = candidate;
-    }
-    if (best == candidates_.end() || best->log_odds < params_.accept_above) return;
+    weigh_candidates(history, window, random);
+    const auto best = std::max_element(
+        candidates_.begin(), candidates_.end(),
+        [](const TargetHypothesis& a, const TargetHypothesis& b) { return a.log_odds < b.log_odds; });
+    if (!(best->log_odds > params_.accept_above)) return;
     claims_.claim(history, best->samples, best->existence());
     targets_.push_back(*best);
     candidates_.erase(best);
+  }
+}
+
+// Sampling is dear: only those with hope, and of those only the ones whose beams have been claimed since.
+void JointSearch::weigh_candidates(const ScanHistory& history, int window, core::Random& random) {
+  clusters_.score(history, window, claims_, prior_, candidates_);
+  for (auto& candidate : candidates_) {
+    if (candidate.score == candidate.sampled_score) continue;
+    if (candidate.log_odds > params_.evaluate_above)
+      evidence_.evaluate(history, window, claims_, prior_, evidence_.stages(), random, candidate);
+    candidate.sampled_log_odds = candidate.log_odds;
+  }
+  clusters_.score(history, window, claims_, prior_, candidates_);
+  for (auto& candidate : candidates_) {
+    candidate.sampled_score = candidate.score;
+    candidate.log_odds = candidate.sampled_log_odds;
   }
 }
 

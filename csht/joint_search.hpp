@@ -52,6 +52,7 @@ class JointSearch {
   void move_to_newest(const ScanHistory& history);
   void keep_targets(const ScanHistory& history, int window, core::Random& random);
   void add_seeds(const ScanHistory& history, int window);
+  void weigh_candidates(const ScanHistory& history, int window, core::Random& random);
   void choose(const ScanHistory& history, int window, core::Random& random);
   void estimate_again(const ScanHistory& history, int window, const ClaimSet& known, core::Random& random);
   void forget_worst();

@@ -241,6 +241,18 @@ void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const Hypothesis
   }
 }
 
+LOOKOUT_VECTOR_CLONES
+void add_births(double log_birth, std::span<double> log_ratio) {
+  double* values = log_ratio.data();
+  const std::size_t count = log_ratio.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const double value = values[i];
+    const double high = value < log_birth ? log_birth : value;
+    const double low = value < log_birth ? value : log_birth;
+    values[i] = high + static_cast<double>(fast_log(1.0F + fast_exp(static_cast<float>(low - high))));
+  }
+}
+
 double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vector2d& p_earth,
                  const Tolerance& tolerance) {
   if (mask != nullptr && mask->empty) mask = nullptr;

@@ -33,8 +33,11 @@ struct Tolerance {
 void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
                    double seconds, const Tolerance& tolerance, std::span<double> log_ratio);
 
-/// The same for one position, in double precision and the plainest form: the reference that the fast one is
-/// tested and measured against.
+/// ln(e^log_ratio + e^log_birth) for each hypothesis: targets that appear now join those that were there.
+void add_births(double log_birth, std::span<double> log_ratio);
+
+/// The same as `add_log_ratio` for one position, in double precision and the plainest form: the reference
+/// that the fast one is tested and measured against.
 double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vector2d& p_earth,
                  const Tolerance& tolerance = {});
 

@@ -134,6 +134,15 @@ INSTANTIATE_TEST_SUITE_P(Models, FastAgainstPlain,
                          testing::Values(ClutterModel::exclusive_beam, ClutterModel::shared_beam,
                                          ClutterModel::point));
 
+TEST(SensorLikelihood, BirthsJoinThoseThatWereThere) {
+  std::vector<double> values{-200.0, -7.6, 3.0, 60.0};
+  add_births(-7.6, values);
+  EXPECT_NEAR(values[0], -7.6, 1e-6);
+  EXPECT_NEAR(values[1], -7.6 + std::log(2.0), 1e-6);
+  EXPECT_NEAR(values[2], std::log(std::exp(3.0) + std::exp(-7.6)), 1e-6);
+  EXPECT_NEAR(values[3], 60.0, 1e-6);
+}
+
 TEST(SensorLikelihood, AWholeCircleHasNoEdge) {
   core::PosedScan posed = posed_scan({{core::radians(-179.5), 40.0, 1}});
   posed.scan.num_beams = 360;
