@@ -19,6 +19,7 @@ void read_configuration(const core::YamlMap& map, Configuration& configuration) 
   if (const auto part = map.map("sensor")) core::read_sonar_params(*part, configuration.sensor);
   if (const auto part = map.map("estimator")) csht::read_estimator_params(*part, configuration.estimator);
   if (const auto part = map.map("tracker")) tracking::read_tracker_params(*part, configuration.tracker);
+  if (const auto part = map.map("initiator")) tracking::read_initiator_config(*part, configuration.initiator);
   if (const auto part = map.map("output")) tracking::read_output_params(*part, configuration.tracker);
   if (const auto part = map.map("tbd")) tracking::read_tbd_params(*part, configuration.tbd);
   map.finish();
@@ -46,6 +47,13 @@ Configuration load_configuration(const Options& options) {
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
   if (configuration.estimator.name.empty())
     configuration.estimator.name = default_estimator(configuration.tracker.name);
+  configuration.tracker.births = configuration.initiator;
+  const std::string& births = configuration.tracker.initiator;
+  const auto trackers = tracking::tracker_names();
+  if (births != configuration.tracker.name &&
+      std::find(trackers.begin(), trackers.end(), births) != trackers.end())
+    throw core::InputError("initiator `" + births + "` is the birth method of the tracker `" + births +
+                           "` alone, not of `" + configuration.tracker.name + "`");
   return configuration;
 }
 

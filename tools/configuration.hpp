@@ -14,6 +14,7 @@ struct Configuration {
   csht::EstimatorParams estimator;
   tracking::TrackerParams tracker;
   tracking::TbdParams tbd;
+  tracking::InitiatorConfig initiator;
 };
 
 /// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.

@@ -111,6 +111,13 @@ void declare_tbd(CLI::App& app, Options& options) {
   add_seed(app, options);
 }
 
+void declare_initiate(CLI::App& app, Options& options) {
+  app.add_option("METHOD", options.method, "Initiator by name")->required();
+  app.add_option("POINTS", options.inputs, "CSV of scan,time_s,x_m,y_m")->expected(1)->required();
+  app.add_option("--out", options.out, "TRACKS.csv to write");
+  app.add_option("--config", options.config, "Configuration YAML; its `initiator:` part is used");
+}
+
 void declare_experiment(CLI::App& app, Options& options) {
   app.add_option("NAME", options.method, "Which experiment");
   add_out(app, options);
@@ -152,6 +159,9 @@ constexpr Command kCommands[] = {
      "lookout tbd i_h_pmht_4 tools/data/tbd_example --config tools/data/tbd_example/config.yaml --out "
      "tracks.csv",
      declare_tbd, tbd_command},
+    {"initiate", "Starts tracks on recorded points with one initiator.",
+     "lookout initiate vct points.csv --out tracks.csv --config radar.yaml", declare_initiate,
+     initiate_command},
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
      "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
      experiment_command},

@@ -5,15 +5,18 @@
 #include "core/field_of_view.hpp"
 #include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
+#include "tracking/management/proposed_births.hpp"
 
 namespace lookout::tracking {
 
 CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParams& sonar,
-                         std::unique_ptr<csht::MotionEstimator> estimator)
+                         std::unique_ptr<csht::MotionEstimator> estimator,
+                         std::unique_ptr<BirthMethod> births)
     : params_(params),
       sonar_(sonar),
       book_(params.life),
       estimator_(std::move(estimator)),
+      births_(std::move(births)),
       element_association_(params.element_gate),
       sample_association_(chi_square_gate(params.gate_probability, 2)),
       smoother_(params.smoother) {
@@ -32,7 +35,10 @@ std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan) {
   associate(sonar);
   smooth(sonar);
   book_.step(scan, sonar, supported_);
-  begin_on_new_elements(scan, sonar);
+  if (births_ != nullptr)
+    begin_on_proposals(*births_, scan, sonar, book_);
+  else
+    begin_on_new_elements(scan, sonar);
   return book_.tracks();
 }
 

@@ -8,6 +8,7 @@
 #include "csht/motion_estimator.hpp"
 #include "tracking/association/global_nearest_neighbour.hpp"
 #include "tracking/association/track_to_element.hpp"
+#include "tracking/birth.hpp"
 #include "tracking/management/trajectory_book.hpp"
 #include "tracking/smoothing/window_smoother.hpp"
 #include "tracking/tracker.hpp"
@@ -30,9 +31,11 @@ struct CshtTrackerParams {
 class CshtTracker : public Tracker {
  public:
   /// @param estimator behind the tracker, not null; any will do.
+  /// @param births where trajectories begin in place of new elements; null: on new elements.
   /// @throws std::invalid_argument on a parameter out of range.
   CshtTracker(const CshtTrackerParams& params, const core::SonarParams& sonar,
-              std::unique_ptr<csht::MotionEstimator> estimator);
+              std::unique_ptr<csht::MotionEstimator> estimator,
+              std::unique_ptr<BirthMethod> births = nullptr);
 
   std::span<const core::Track> update(const core::PosedScan& scan) override;
   std::span<const core::MotionElement> elements() const override { return elements_; }
@@ -47,6 +50,7 @@ class CshtTracker : public Tracker {
   core::SonarParams sonar_;
   TrajectoryBook book_;
   std::unique_ptr<csht::MotionEstimator> estimator_;
+  std::unique_ptr<BirthMethod> births_;
   std::span<const core::MotionElement> elements_;
   std::vector<core::Detection> detections_;
   TrackToElement element_association_;

@@ -3,13 +3,16 @@
 #include "core/field_of_view.hpp"
 #include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
+#include "tracking/management/proposed_births.hpp"
 
 namespace lookout::tracking {
 
-GnnTracker::GnnTracker(const GnnParams& params, const core::SonarParams& sonar)
+GnnTracker::GnnTracker(const GnnParams& params, const core::SonarParams& sonar,
+                       std::unique_ptr<BirthMethod> births)
     : params_(params),
       sonar_(sonar),
       book_(params.life),
+      births_(std::move(births)),
       association_(chi_square_gate(params.gate_probability, 2)) {
   params.motion.validate();
 }
@@ -21,7 +24,10 @@ std::span<const core::Track> GnnTracker::update(const core::PosedScan& scan) {
   associate(sonar);
   filter(sonar);
   book_.step(scan, sonar, supported_);
-  begin_on_free_detections(sonar);
+  if (births_ != nullptr)
+    begin_on_proposals(*births_, scan, sonar, book_);
+  else
+    begin_on_free_detections(sonar);
   rate();
   return book_.tracks();
 }

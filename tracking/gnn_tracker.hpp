@@ -6,6 +6,7 @@
 #include "core/detection.hpp"
 #include "core/sonar_params.hpp"
 #include "tracking/association/global_nearest_neighbour.hpp"
+#include "tracking/birth.hpp"
 #include "tracking/management/trajectory_book.hpp"
 #include "tracking/tracker.hpp"
 
@@ -25,7 +26,8 @@ struct GnnParams {
 class GnnTracker : public Tracker {
  public:
   /// @throws std::invalid_argument on a parameter out of range.
-  GnnTracker(const GnnParams& params, const core::SonarParams& sonar);
+  GnnTracker(const GnnParams& params, const core::SonarParams& sonar,
+             std::unique_ptr<BirthMethod> births = nullptr);
 
   std::span<const core::Track> update(const core::PosedScan& scan) override;
 
@@ -39,6 +41,7 @@ class GnnTracker : public Tracker {
   GnnParams params_;
   core::SonarParams sonar_;
   TrajectoryBook book_;
+  std::unique_ptr<BirthMethod> births_;  ///< Where tracks begin in place of free detections; may be null.
   std::vector<core::Detection> detections_;
   GlobalNearestNeighbour association_;
   std::vector<int> detection_of_track_;

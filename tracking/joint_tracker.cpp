@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "tracking/joint_proposal.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -46,8 +48,9 @@ const JointTrackerParams& validated(const JointTrackerParams& params) {
 }  // namespace
 
 JointTracker::JointTracker(const JointTrackerParams& params, const core::SonarParams& sonar,
-                           std::uint64_t seed)
+                           std::uint64_t seed, std::unique_ptr<BirthMethod> births)
     : params_(validated(params)),
+      max_speed_(sonar.max_speed),
       seed_(seed),
       random_(seed, core::RandomStream::tracker),
       likelihood_(csht::figures_of(sonar), model_of(params, sonar), params.tolerance,
@@ -55,6 +58,7 @@ JointTracker::JointTracker(const JointTrackerParams& params, const core::SonarPa
       sampler_(params.cloud, sonar.max_speed, random_),
       manoeuvre_(params.manoeuvre, params.cloud.trajectories),
       birth_(params.birth, sonar.max_speed),
+      births_(std::move(births)),
       unseen_(params.birth, sonar.max_speed),
       report_(params.report, random_) {
   tracks_.reserve(static_cast<std::size_t>(params.life.max_tracks));
@@ -66,7 +70,10 @@ std::span<const core::Track> JointTracker::update(const core::PosedScan& scan) {
   claim_provisionally();
   update_tracks();
   end_twins();
-  begin_tracks();
+  if (births_ != nullptr)
+    begin_on_proposals(scan);
+  else
+    begin_tracks();
   end_lives();
   choose_report();
   publish();
@@ -222,6 +229,22 @@ void JointTracker::begin_tracks() {
   for (const BirthSeed& seed : birth_.propose(likelihood_))
     if (seed.log_odds > params_.life.tentative_log_odds - params_.birth.hopeless && !known(seed))
       begin_track(seed);
+}
+
+void JointTracker::begin_on_proposals(const core::PosedScan& scan) {
+  living_.clear();
+  for (const JointTrack& track : tracks_) {
+    if (!track.used || track.existence() < JointLikelihood::kLeastExistence) continue;
+    core::Track& living = living_.emplace_back();
+    living.state = track.moments.mean.head<4>();
+    living.covariance = track.moments.covariance.topLeftCorner<4, 4>();
+  }
+  const csht::ScanHistory& scans = likelihood_.scans();
+  const BirthDensity density = birth_density(scans.newest(), max_speed_, params_.birth);
+  for (const core::MotionElement& element : births_->propose(scan, living_)) {
+    const BirthSeed seed = seed_of(element, scans, density);
+    if (!known(seed)) begin_track(seed);
+  }
 }
 
 // Whether a track stands for the seed already. A tentative one that is much less probable gives way.

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/random.hpp"
 #include "core/sonar_params.hpp"
+#include "tracking/birth.hpp"
 #include "tracking/joint_birth.hpp"
 #include "tracking/joint_likelihood.hpp"
 #include "tracking/joint_manoeuvre.hpp"
@@ -27,8 +29,10 @@ class JointTracker : public Tracker {
  public:
   /// @param sonar its probabilities, where given, are taken as known.
   /// @param seed of all draws; those of a scan derive from (seed, scan sequence) alone.
+  /// @param births where tracks begin in place of its own pairs of echoes; null: those.
   /// @throws std::invalid_argument on a parameter out of range.
-  JointTracker(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed);
+  JointTracker(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed,
+               std::unique_ptr<BirthMethod> births = nullptr);
 
   std::span<const core::Track> update(const core::PosedScan& scan) override;
   void explain_to(DecisionLog log) override { log_ = std::move(log); }
@@ -45,6 +49,7 @@ class JointTracker : public Tracker {
   void claim(std::size_t slot);
   void end_twins();
   void begin_tracks();
+  void begin_on_proposals(const core::PosedScan& scan);
   void begin_track(const BirthSeed& seed);
   bool known(const BirthSeed& seed);
   bool draw_birth(const BirthSeed& seed, double& log_odds);
@@ -60,6 +65,7 @@ class JointTracker : public Tracker {
   void decide(const JointTrack& track, DecisionKind kind, double evidence, const char* reason) const;
 
   JointTrackerParams params_;
+  double max_speed_;
   std::uint64_t seed_;
   core::Random random_;
   JointLikelihood likelihood_;
@@ -67,6 +73,8 @@ class JointTracker : public Tracker {
   JointObserver observer_;
   JointManoeuvre manoeuvre_;
   JointBirth birth_;
+  std::unique_ptr<BirthMethod> births_;
+  std::vector<core::Track> living_;  ///< What `births_` is told of the tracks.
   JointUnseen unseen_;
   JointReport report_;
   JointRetrodiction retrodiction_;

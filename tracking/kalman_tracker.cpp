@@ -6,6 +6,7 @@
 #include "core/field_of_view.hpp"
 #include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
+#include "tracking/management/proposed_births.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -19,11 +20,13 @@ PaperKalmanParams noises_of(const core::SonarParams& sonar) {
 
 }  // namespace
 
-KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar)
+KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar,
+                             std::unique_ptr<BirthMethod> births)
     : params_(params),
       sonar_(sonar),
       gate_(chi_square_gate(params.gate_probability, 2)),
       book_(params.life),
+      births_(std::move(births)),
       filter_(noises_of(sonar)),
       choose_([this](const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation) {
         return nearest(predicted, innovation);
@@ -42,7 +45,10 @@ std::span<const core::Track> KalmanTracker::update(const core::PosedScan& scan) 
   filter(seconds, true);
   filter(seconds, false);
   book_.step(scan, sonar, supported_);
-  begin_on_free_detections();
+  if (births_ != nullptr)
+    begin_on_proposals(*births_, scan, sonar, book_);
+  else
+    begin_on_free_detections();
   rate();
   return book_.tracks();
 }

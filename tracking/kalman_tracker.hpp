@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/detection.hpp"
 #include "core/sonar_params.hpp"
+#include "tracking/birth.hpp"
 #include "tracking/management/trajectory_book.hpp"
 #include "tracking/smoothing/paper_kalman_filter.hpp"
 #include "tracking/tracker.hpp"
@@ -27,7 +29,8 @@ class KalmanTracker : public Tracker {
  public:
   /// The noises follow from the sonar: 2 sigma / Ts^2 and sigma.
   /// @throws std::invalid_argument on a parameter out of range.
-  KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar);
+  KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar,
+                std::unique_ptr<BirthMethod> births = nullptr);
 
   std::span<const core::Track> update(const core::PosedScan& scan) override;
 
@@ -41,6 +44,7 @@ class KalmanTracker : public Tracker {
   core::SonarParams sonar_;
   double gate_;
   TrajectoryBook book_;
+  std::unique_ptr<BirthMethod> births_;  ///< Where tracks begin in place of free detections; may be null.
   std::vector<core::Detection> detections_;
   std::vector<char> free_detection_, supported_;
   PaperKalmanFilter filter_;

@@ -5,6 +5,8 @@
 #include "core/yaml_reader.hpp"
 #include "tracking/csht_tracker.hpp"
 #include "tracking/gnn_tracker.hpp"
+#include "tracking/initiation/initiator_birth.hpp"
+#include "tracking/initiation/initiator_registry.hpp"
 #include "tracking/joint_tracker.hpp"
 #include "tracking/kalman_tracker.hpp"
 
@@ -19,6 +21,12 @@ struct Entry {
   Factory make;
 };
 
+/// A track that an initiator starts has shown its M of N already.
+void confirm_at_birth(TrackLifeParams& life) {
+  life.confirm_hits = 1;
+  life.confirm_scans = 1;
+}
+
 std::unique_ptr<Tracker> make_csht(const TrackerParams& params, const core::SonarParams& sonar,
                                    const csht::EstimatorParams& estimator, std::uint64_t seed) {
   CshtTrackerParams csht;
@@ -27,7 +35,8 @@ std::unique_ptr<Tracker> make_csht(const TrackerParams& params, const core::Sona
   // Half the fastest target's speed: 1.5 m/s for the sonar's 3 m/s.
   csht.element_gate.velocity = 0.5 * sonar.max_speed;
   return std::make_unique<CshtTracker>(csht, sonar,
-                                       csht::make_estimator(estimator.name, estimator, sonar, seed));
+                                       csht::make_estimator(estimator.name, estimator, sonar, seed),
+                                       make_birth(params.initiator, "csht", params.births, sonar));
 }
 
 std::unique_ptr<Tracker> make_joint(const TrackerParams& params, const core::SonarParams& sonar,
@@ -36,21 +45,26 @@ std::unique_ptr<Tracker> make_joint(const TrackerParams& params, const core::Son
   joint.life.coast_s = params.coast_s;
   joint.report.report_all = params.report_all;
   joint.report.min_existence = params.min_existence;
-  return std::make_unique<JointTracker>(joint, sonar, seed);
+  return std::make_unique<JointTracker>(joint, sonar, seed,
+                                        make_birth(params.initiator, "joint", params.births, sonar));
 }
 
 std::unique_ptr<Tracker> make_kalman(const TrackerParams& params, const core::SonarParams& sonar,
                                      const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
   KalmanParams kalman;
   kalman.life.coast_s = params.coast_s;
-  return std::make_unique<KalmanTracker>(kalman, sonar);
+  auto births = make_birth(params.initiator, "kalman", params.births, sonar);
+  if (births != nullptr) confirm_at_birth(kalman.life);
+  return std::make_unique<KalmanTracker>(kalman, sonar, std::move(births));
 }
 
 std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::SonarParams& sonar,
                                   const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
   GnnParams gnn;
   gnn.life.coast_s = params.coast_s;
-  return std::make_unique<GnnTracker>(gnn, sonar);
+  auto births = make_birth(params.initiator, "gnn", params.births, sonar);
+  if (births != nullptr) confirm_at_birth(gnn.life);
+  return std::make_unique<GnnTracker>(gnn, sonar, std::move(births));
 }
 
 /// One line a tracker.
@@ -66,7 +80,9 @@ constexpr Entry kRegistry[] = {
 void read_tracker_params(const core::YamlMap& map, TrackerParams& params) {
   params.name = map.choice("name", params.name, tracker_names());
   params.coast_s = map.number("coast_s", params.coast_s, core::kNotNegative);
-  params.initiator = map.text("initiator", params.initiator);
+  std::vector<std::string> births = initiator_names();
+  for (const auto& own : tracker_names()) births.push_back(own);
+  params.initiator = map.choice("initiator", params.initiator, births);
   map.finish();
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/sonar_params.hpp"
 #include "csht/estimator_registry.hpp"
+#include "tracking/initiation/initiator_config.hpp"
 #include "tracking/tracker.hpp"
 
 namespace lookout::core {
@@ -17,9 +18,11 @@ namespace lookout::tracking {
 
 /// What a user chooses of a tracker: the `tracker:` and `output:` parts of a configuration.
 struct TrackerParams {
-  std::string name = "csht";   ///< One of `tracker_names()`.
-  double coast_s = 10.0;       ///< How long a track is kept outside the field of view [s], >= 0.
-  std::string initiator;       ///< Where births come from; empty: the tracker's own method.
+  std::string name = "csht";  ///< One of `tracker_names()`.
+  double coast_s = 10.0;      ///< How long a track is kept outside the field of view [s], >= 0.
+  /// Where births come from: one of `initiator_names()`; empty or the tracker's own name: its own method.
+  std::string initiator;
+  InitiatorConfig births;      ///< The `initiator:` part of a configuration.
   double min_existence = 0.5;  ///< Existence from which a track may be confirmed, in [0, 1].
   bool report_all = false;  ///< Report every track above `min_existence`, not the set of least expected OSPA.
 };

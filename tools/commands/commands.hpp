@@ -14,5 +14,6 @@ int replay_command(const Options& options);
 int ospa_command(const Options& options);
 int tbd_command(const Options& options);
 int experiment_command(const Options& options);
+int initiate_command(const Options& options);
 
 }  // namespace lookout::tools

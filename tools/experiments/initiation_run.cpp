@@ -1,6 +1,6 @@
 #include "tools/experiments/initiation_run.hpp"
 
-#include <chrono>
+#include <ctime>
 #include <stdexcept>
 
 #include "tracking/initiation/initiator_registry.hpp"
@@ -21,8 +21,11 @@ double level(double value, const double (&cuts)[3]) {
   return result;
 }
 
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+/// CPU time of this thread [ms]: what other programs take does not count.
+double thread_milliseconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
 void refuse_refusal(const std::string& name, const tracking::StartedTracks& started) {
@@ -37,9 +40,9 @@ InitiationRun run_initiator(const InitiationScene& scene, const std::string& nam
   run.method = tracking::make_initiator(name, config);
   run.window = scene.window();
   run.method->start(run.window);
-  const auto start = std::chrono::steady_clock::now();
+  const double start = thread_milliseconds();
   const tracking::StartedTracks& started = run.method->start(run.window);
-  run.time_ms = milliseconds_since(start);
+  run.time_ms = thread_milliseconds() - start;
   refuse_refusal(name, started);
   run.tracks = track_sources(run.window, started);
   run.survivors = sources_of(run.window, started.survivors);
@@ -54,7 +57,7 @@ InitiationRun run_sliding(const InitiationScene& scene, const std::string& name,
   params.motion.acceleration_sigma = config.acceleration_sigma.value_or(params.motion.acceleration_sigma);
   tracking::SlidingInitiator sliding(std::move(method), params);
   InitiationRun run;
-  const auto start = std::chrono::steady_clock::now();
+  const double start = thread_milliseconds();
   for (std::size_t k = 0; k < scene.scans.size(); ++k) {
     const tracking::StartedTracks& started = sliding.add_scan(scene.times[k], scene.scans[k]);
     refuse_refusal(name, started);
@@ -62,7 +65,7 @@ InitiationRun run_sliding(const InitiationScene& scene, const std::string& name,
     const auto survivors = sources_of(sliding.window(), started.survivors);
     run.survivors.insert(run.survivors.end(), survivors.begin(), survivors.end());
   }
-  run.time_ms = milliseconds_since(start) / static_cast<double>(scene.scans.size());
+  run.time_ms = (thread_milliseconds() - start) / static_cast<double>(scene.scans.size());
   return run;
 }
 

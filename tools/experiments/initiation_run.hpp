@@ -16,7 +16,7 @@ struct InitiationRun {
   tracking::PlotWindow window;
   std::vector<TrackSources> tracks;
   std::vector<int> survivors;  ///< Sources.
-  double time_ms = 0.0;        ///< Of the one call of `start`, after a warm-up on the same window.
+  double time_ms = 0.0;        ///< CPU time of one call of `start`, after a warm-up on the same window.
 };
 
 /// @throws std::runtime_error where the method refuses the scene: a cell that cannot be measured is a

@@ -1,0 +1,55 @@
+#include "tracking/initiation/initiator_config.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+
+#include "core/input_error.hpp"
+#include "core/yaml_reader.hpp"
+#include "tracking/initiation/initiator_registry.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+InitiatorConfig read(const std::string& text) {
+  InitiatorConfig config;
+  read_initiator_config(core::YamlMap::load_text(text, "test.yaml"), config);
+  return config;
+}
+
+TEST(InitiatorConfig, ReadsItsKeysWithTheirUnits) {
+  const InitiatorConfig config =
+      read("{range_sigma: 10.0, azimuth_sigma_deg: 0.3, min_speed: 333, max_speed: 750}");
+  EXPECT_NEAR(*config.azimuth_sigma, 0.005235987755982988, 1e-15);  // 0.3 degrees
+  EXPECT_DOUBLE_EQ(*config.max_speed, 750.0);
+  EXPECT_FALSE(config.window_scans);
+}
+
+TEST(InitiatorConfig, RefusesUnknownKeysAndValuesOutOfRange) {
+  EXPECT_THROW(read("{min_sped: 3}"), core::InputError);
+  EXPECT_THROW(read("{min_speed: 5, max_speed: 4}"), core::InputError);
+  EXPECT_THROW(read("{window_scans: 1}"), core::InputError);
+  EXPECT_THROW(read("{range_sigma: 10}"), core::InputError);
+  EXPECT_THROW(read("{peak_threshold: 1.5}"), core::InputError);
+}
+
+/// At 70 km 0.3 degrees are 366.5 m across, [Zeng2023].
+TEST(InitiatorConfig, PolarNoiseLiesAlongAndAcrossTheLineOfSight) {
+  const Eigen::Matrix2d noise = polar_noise({0.0, 70e3}, 10.0, 0.3 * 3.14159265358979 / 180.0);
+  EXPECT_NEAR(std::sqrt(noise(0, 0)), 366.5, 0.1);
+  EXPECT_NEAR(std::sqrt(noise(1, 1)), 10.0, 1e-9);
+  EXPECT_GT(polar_noise({0.0, 0.0}, 10.0, 0.005).determinant(), 0.0);
+}
+
+TEST(InitiatorRegistry, MakesEveryNameAndRefusesOthers) {
+  EXPECT_EQ(initiator_names().size(), 11u);
+  for (const auto& name : initiator_names()) EXPECT_NE(make_initiator(name, {}), nullptr);
+  EXPECT_THROW(make_initiator("hough", {}), std::invalid_argument);
+  InitiatorConfig config;
+  config.variant = "printed";
+  for (const auto& name : initiator_names())
+    EXPECT_THROW(make_initiator(name, config), std::invalid_argument) << name;
+}
+
+}  // namespace
+}  // namespace lookout::tracking

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/motion_element.hpp"
+#include "tracking/joint_birth.hpp"
+
+namespace lookout::tracking {
+
+/// A birth proposed from outside as a seed of the joint tracker, which computes the evidence for it as for
+/// its own: the proposal's state, spread and age, and the prior density of targets.
+BirthSeed seed_of(const core::MotionElement& element, const csht::ScanHistory& scans,
+                  const BirthDensity& density);
+
+}  // namespace lookout::tracking
