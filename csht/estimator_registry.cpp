@@ -80,7 +80,9 @@ void validate(const EstimatorParams& params) {
 }  // namespace
 
 void read_estimator_params(const core::YamlMap& map, EstimatorParams& params) {
-  params.name = map.choice("name", params.name, estimator_names());
+  std::vector<std::string> names = estimator_names();
+  names.emplace_back("h_pmht");  // on raw images, in place of the whole chain: tracking/track_before_detect
+  params.name = map.choice("name", params.name, names);
   params.window_scans = map.integer("window_scans", params.window_scans, kWindowScans);
   const core::Range first_scans{kWindowScans.min, static_cast<double>(params.window_scans)};
   params.first_estimate_scans = map.integer("first_estimate_scans", params.first_estimate_scans, first_scans);

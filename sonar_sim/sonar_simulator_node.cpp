@@ -1,5 +1,5 @@
-// scene -> simulator -> VEHICLE_STATE, GROUND_TRUTH, SONAR_SCAN, VEHICLE_STATE; paced by the clock or by
-// TRACKS
+// scene -> simulator -> VEHICLE_STATE, GROUND_TRUTH, SONAR_SCAN, SONAR_IMAGE, VEHICLE_STATE; paced by the
+// clock or by TRACKS
 #include "sonar_sim/sonar_simulator_node.hpp"
 
 #include <chrono>
@@ -108,6 +108,7 @@ void SonarSimulatorNode::send(const Vehicle& vehicle) {
   core::SonarScan scan = simulated.scan;
   scan.utime += params_.start_utime;
   bus_.publish(vehicle.channels.sonar_scan(), lcmtypes::to_wire(scan));
+  if (simulated.image) publish_image(vehicle, *simulated.image);
   for (const auto& state : simulated.states_after) publish_state(vehicle, state);
   newest_utime_ = scan.utime;
   ++figures_.scans;
@@ -116,6 +117,11 @@ void SonarSimulatorNode::send(const Vehicle& vehicle) {
 void SonarSimulatorNode::publish_state(const Vehicle& vehicle, core::VehicleState state) {
   state.utime += params_.start_utime;
   bus_.publish(vehicle.channels.vehicle_state(), lcmtypes::to_wire(state));
+}
+
+void SonarSimulatorNode::publish_image(const Vehicle& vehicle, core::SonarImage image) {
+  image.utime += params_.start_utime;
+  bus_.publish(vehicle.channels.sonar_image(), lcmtypes::to_wire(image));
 }
 
 bool SonarSimulatorNode::await_tracks(lcmtypes::NodeLoop& loop, const Vehicle& vehicle) {

@@ -56,6 +56,7 @@ class SonarSimulatorNode {
   bool pace(lcmtypes::NodeLoop& loop, lcmtypes::NodeLoop::Clock::time_point start, const Vehicle& vehicle);
   void send(const Vehicle& vehicle);
   void publish_state(const Vehicle& vehicle, core::VehicleState state);
+  void publish_image(const Vehicle& vehicle, core::SonarImage image);
   bool await_tracks(lcmtypes::NodeLoop& loop, const Vehicle& vehicle);
   void publish_status();
 

@@ -14,6 +14,7 @@ constexpr const char* kDefaultTracker = "joint";
 std::string default_estimator(const std::string& tracker) {
   return tracker == "csht" ? "csht" : "joint";
 }
+constexpr const char* kImageEstimator = "h_pmht";
 
 void read_configuration(const core::YamlMap& map, Configuration& configuration) {
   if (const auto part = map.map("sensor")) core::read_sonar_params(*part, configuration.sensor);
@@ -43,7 +44,9 @@ Configuration load_configuration(const Options& options) {
   configuration.tracker.name = kDefaultTracker;
   configuration.estimator.name.clear();  // not chosen yet
   if (!options.config.empty()) read_configuration(core::YamlMap::load_file(options.config), configuration);
-  apply_name("--estimator", options.estimator, csht::estimator_names(), configuration.estimator.name);
+  std::vector<std::string> estimators = csht::estimator_names();
+  estimators.emplace_back(kImageEstimator);
+  apply_name("--estimator", options.estimator, estimators, configuration.estimator.name);
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
   if (configuration.estimator.name.empty())
     configuration.estimator.name = default_estimator(configuration.tracker.name);
@@ -55,6 +58,10 @@ Configuration load_configuration(const Options& options) {
     throw core::InputError("initiator `" + births + "` is the birth method of the tracker `" + births +
                            "` alone, not of `" + configuration.tracker.name + "`");
   return configuration;
+}
+
+bool tracks_images(const Configuration& configuration) {
+  return configuration.estimator.name == kImageEstimator;
 }
 
 }  // namespace lookout::tools

@@ -21,4 +21,7 @@ struct Configuration {
 /// @throws core::InputError naming file, line, column and key, or the flag.
 Configuration load_configuration(const Options& options);
 
+/// Whether the estimator is the one that works on raw images in place of the whole chain.
+bool tracks_images(const Configuration& configuration);
+
 }  // namespace lookout::tools

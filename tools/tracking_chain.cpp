@@ -27,6 +27,15 @@ RecordedChain::RecordedChain(const Configuration& configuration, std::uint64_t s
           },
           [](const std::string& line) { log_warning(line); }) {}
 
+RecordedImageChain::RecordedImageChain(const Configuration& configuration)
+    : chain_(
+          configuration.sensor, "h_pmht",
+          [this](const core::PosedImage& posed, std::span<const core::Track> tracks) {
+            output_.tracks.push_back({posed.image.utime, {tracks.begin(), tracks.end()}});
+            output_.elements.push_back({posed.image.utime, tracking::as_elements(tracks, posed.image.utime)});
+          },
+          [](const std::string& line) { log_warning(line); }) {}
+
 std::string describe(const tracking::IntakeCounts& counts) {
   std::string line = std::to_string(counts.accepted) + " scans tracked";
   const auto add = [&line](std::int64_t count, const char* what) {

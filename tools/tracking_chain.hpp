@@ -5,6 +5,7 @@
 
 #include "core/recording.hpp"
 #include "tools/configuration.hpp"
+#include "tracking/track_before_detect/image_chain.hpp"
 #include "tracking/tracking_chain.hpp"
 
 namespace lookout::tools {
@@ -34,6 +35,23 @@ class RecordedChain {
  private:
   ChainOutput output_;
   tracking::TrackingChain chain_;
+};
+
+/// The same for raw images and track-before-detect.
+class RecordedImageChain {
+ public:
+  explicit RecordedImageChain(const Configuration& configuration);
+
+  void add(const core::VehicleState& state) { chain_.add(state); }
+  void add(const core::SonarImage& image) { chain_.add(image); }
+  void finish() { chain_.finish(); }
+
+  const ChainOutput& output() const { return output_; }
+  const tracking::IntakeCounts& counts() const { return chain_.counts(); }
+
+ private:
+  ChainOutput output_;
+  tracking::ImageChain chain_;
 };
 
 /// One line: scans tracked, and what was rejected or lost where anything was.

@@ -70,6 +70,10 @@ int replay_command(const Options& options) {
     throw core::InputError("replay: expected one recording directory or LCM log");
   if (options.out.empty()) throw core::InputError("replay: --out DIR is missing");
   Configuration configuration = load_configuration(options);
+  if (tracks_images(configuration))
+    throw core::InputError(
+        "--estimator: h_pmht needs raw images, which recordings do not hold; replay the log with "
+        "lcm-logplayer into lookout track");
   make_scorer(options);  // A bad flag stops here, before the work.
   std::string input = options.inputs[0];
   if (input.starts_with("file://")) input = input.substr(7, input.find('?') - 7);

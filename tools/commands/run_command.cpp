@@ -25,17 +25,24 @@ core::SonarParams told_params(const sonar_sim::Scene& scene, const sonar_sim::Pl
   return told;
 }
 
-TrackedRun run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration configuration,
-                        const Options& options) {
-  sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
-  configuration.sensor = told_params(scene, simulator.platform(), configuration, options.known_sensor);
-  RecordedChain chain(configuration, options.seed);
+void feed(RecordedChain& chain, const sonar_sim::SimulatedScan& simulated) {
+  chain.add(simulated.scan);
+}
+
+void feed(RecordedImageChain& chain, const sonar_sim::SimulatedScan& simulated) {
+  chain.add(*simulated.image);
+}
+
+template <class Chain>
+TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
+                       const Configuration& configuration) {
+  const sonar_sim::Scene& scene = simulator.scene();
   TrackedRun run;
   run.recording.params = configuration.sensor;
   ProgressBar bar(static_cast<std::size_t>(num_scans(scene, simulator.platform())));
   while (const auto simulated = simulator.next()) {
     for (const auto& state : simulated->states_before) chain.add(state);
-    chain.add(simulated->scan);
+    feed(chain, *simulated);
     for (const auto& state : simulated->states_after) chain.add(state);
     auto& vehicle = run.recording.vehicle;
     vehicle.insert(vehicle.end(), simulated->states_before.begin(), simulated->states_before.end());
@@ -49,6 +56,20 @@ TrackedRun run_platform(const sonar_sim::Scene& scene, std::size_t index, Config
   run.output = chain.output();
   run.counts = chain.counts();
   return run;
+}
+
+TrackedRun run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration configuration,
+                        const Options& options) {
+  sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
+  configuration.sensor = told_params(scene, simulator.platform(), configuration, options.known_sensor);
+  if (!tracks_images(configuration)) {
+    RecordedChain chain(configuration, options.seed);
+    return run_through(chain, simulator, configuration);
+  }
+  if (!simulator.platform().image)
+    throw core::InputError(options.inputs[0] + ": has no `image` part, which --estimator h_pmht needs");
+  RecordedImageChain chain(configuration);
+  return run_through(chain, simulator, configuration);
 }
 
 }  // namespace

@@ -5,9 +5,26 @@
 #include "tools/live.hpp"
 #include "tools/log.hpp"
 #include "tools/tracking_chain.hpp"
+#include "tracking/track_before_detect/image_tracker_node.hpp"
 #include "tracking/tracker_node.hpp"
 
 namespace lookout::tools {
+namespace {
+
+void warn(const std::string& line) {
+  log_warning("track: " + line);
+}
+
+/// Works until its limits are reached and says what it did.
+template <class Node>
+int work(Node& node, const lcmtypes::LoopLimits& limits) {
+  node.run(limits);
+  log_info("track: " + describe(node.counts()) + "; latency p50 " + core::shortest(node.latency(0.50)) +
+           " ms, p99 " + core::shortest(node.latency(0.99)) + " ms");
+  return 0;
+}
+
+}  // namespace
 
 int track_command(const Options& options) {
   const Configuration configuration = load_configuration(options);
@@ -20,13 +37,14 @@ int track_command(const Options& options) {
   params.window_scans = configuration.estimator.window_scans;
   params.publish_estimates = options.publish_estimates;
   lcmtypes::Bus bus(options.lcm_url);
-  tracking::TrackerNode node(bus, params, tracker_maker(configuration, options.seed),
-                             [](const std::string& line) { log_warning("track: " + line); });
+  if (tracks_images(configuration)) {
+    tracking::ImageTrackerNode node(bus, params, warn);
+    log_info("track: h_pmht on SONAR_IMAGE");
+    return work(node, limits);
+  }
+  tracking::TrackerNode node(bus, params, tracker_maker(configuration, options.seed), warn);
   log_info("track: tracker " + configuration.tracker.name + ", seed " + std::to_string(options.seed));
-  node.run(limits);
-  log_info("track: " + describe(node.counts()) + "; latency p50 " + core::shortest(node.latency(0.50)) +
-           " ms, p99 " + core::shortest(node.latency(0.99)) + " ms");
-  return 0;
+  return work(node, limits);
 }
 
 }  // namespace lookout::tools

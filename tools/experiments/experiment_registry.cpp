@@ -7,6 +7,8 @@
 #include "tools/experiments/csht_tracking.hpp"
 #include "tools/experiments/csht_window.hpp"
 #include "tools/experiments/limits.hpp"
+#include "tools/experiments/hpmht_sonar.hpp"
+#include "tools/experiments/hpmht_video.hpp"
 #include "tools/experiments/nht_experiments.hpp"
 #include "tools/experiments/recordings.hpp"
 
@@ -22,6 +24,8 @@ const std::array kExperiments{
     ExperimentEntry{"nht-real", make_nht_real},
     ExperimentEntry{"agfht-table2", make_agfht_table2},
     ExperimentEntry{"agfht-sweep", make_agfht_sweep},
+    ExperimentEntry{"hpmht-video", make_hpmht_video},
+    ExperimentEntry{"hpmht-sonar", make_hpmht_sonar},
 };
 
 }  // namespace
