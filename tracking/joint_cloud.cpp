@@ -20,6 +20,12 @@ void JointCloud::resize(std::size_t size) {
     values->resize(size);
 }
 
+void JointCloud::reserve(std::size_t size) {
+  for (auto* values :
+       {&north, &east, &north_velocity, &east_velocity, &north_acceleration, &east_acceleration, &weight})
+    values->reserve(size);
+}
+
 void JointCloud::predict(double seconds) {
   const double half_square = 0.5 * seconds * seconds;
   for (std::size_t i = 0; i < size(); ++i) {

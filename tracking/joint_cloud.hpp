@@ -28,6 +28,7 @@ class JointCloud {
   bool curved = false;  ///< Whether the accelerations are used; else they are zero.
 
   void resize(std::size_t size);
+  void reserve(std::size_t size);  ///< Memory for as many, so that later sizes allocate nothing.
   std::size_t size() const { return north.size(); }
 
   /// Moves every trajectory on by `seconds`.

@@ -10,8 +10,8 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kCompatibleSigmas = 2.5;    // An echo this near to a track's range is explained by it.
-constexpr std::size_t kClaimsReserved = 64;  // Of one scan; more are taken, at the price of an allocation.
+constexpr double kCompatibleSigmas = 2.5;     // An echo this near to a track's range is explained by it.
+constexpr std::size_t kClaimsReserved = 512;  // Of one scan; more are taken, at the price of an allocation.
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #include "tracking/joint_sampler.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,7 @@ constexpr std::size_t kPoolSize = 4096;
 constexpr double kTemperedShare = 0.1;        // Effective share of a cloud whose moments are trusted.
 constexpr double kTemperingStep = 0.8;        // Factor on the logarithms of the weights.
 constexpr double kLeastExponent = 0.005;      // Of tempered weights.
+constexpr std::size_t kLargestCloud = 2;      // In clouds of a track: what a manoeuvre is judged with.
 constexpr double kSpeedEdge = 0.2;            // Beyond the limit the prior falls off with this sigma [m/s].
 constexpr double kPositionFloor = 0.05;       // Least standard deviations that are proposed: [m],
 constexpr double kVelocityFloor = 0.01;       // [m/s] and
@@ -97,6 +99,7 @@ SamplingResult JointSampler::sample(const SamplingTask& task, JointLikelihood& l
                                     core::Random& random, JointCloud& cloud) {
   const auto size = static_cast<std::size_t>(task.samples);
   cloud.curved = task.curved;
+  cloud.reserve(std::max(size, kLargestCloud * static_cast<std::size_t>(params_.trajectories)));
   cloud.resize(size);
   log_weight_.resize(size);
   CloudMoments around = task.guess;

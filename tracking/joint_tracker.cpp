@@ -15,9 +15,11 @@ constexpr double kPublishedTentative = 0.05;  // Existence from which a tentativ
 constexpr double kSeedReach = 30.0;  // Seeds farther than this from a track are not compared with it [m].
 constexpr double kSameTarget = 9.0;  // Squared Mahalanobis distance, 4 degrees of freedom.
 constexpr double kBetterSeed = 2.0;  // Nats by which a seed must beat a tentative track to replace it.
-constexpr double kEnoughEffective = 50.0;  // Trajectories that carry a cloud that is as good as it gets.
-constexpr double kSettledLogOdds = 4.0;    // Existence above which a track's odds are only updated.
-constexpr double kTrustedShare = 0.08;     // Effective share of a cloud whose evidence is trusted.
+constexpr double kEnoughEffective = 50.0;   // Trajectories that carry a cloud that is as good as it gets.
+constexpr double kSettledLogOdds = 4.0;     // Existence above which a track's odds are only updated.
+constexpr double kFigureChange = 0.01;      // Relative change of a sensor figure that is worth a rewrite.
+constexpr std::size_t kTargetSamples = 32;  // Trajectories that stand for a target in the sensor's figures.
+constexpr double kTrustedShare = 0.08;      // Effective share of a cloud whose evidence is trusted.
 
 int scans_in(double seconds, double period) {
   return static_cast<int>(std::ceil(seconds / period));
@@ -40,6 +42,27 @@ double state_distance(const CloudMoments& a, const CloudMoments& b) {
   return offset.dot(covariance.llt().solve(offset));
 }
 
+bool differ(double a, double b) {
+  return std::abs(a - b) > kFigureChange * std::min(a, b);
+}
+
+bool differ(const csht::SensorFigures& a, const csht::SensorFigures& b) {
+  return differ(a.miss_probability, b.miss_probability) ||
+         differ(a.false_alarm_probability, b.false_alarm_probability) ||
+         differ(a.clutter_per_scan, b.clutter_per_scan) || differ(a.range_sigma, b.range_sigma);
+}
+
+// Equally likely trajectories of a cloud, by systematic resampling.
+void resample(const JointCloud& cloud, std::vector<Eigen::Vector4d>& samples) {
+  samples.clear();
+  const double step = 1.0 / static_cast<double>(kTargetSamples);
+  double next = 0.5 * step;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (sum += cloud.weight[i]; next < sum && samples.size() < kTargetSamples; next += step)
+      samples.emplace_back(cloud.north[i], cloud.east[i], cloud.north_velocity[i], cloud.east_velocity[i]);
+}
+
 const JointTrackerParams& validated(const JointTrackerParams& params) {
   validate(params);
   return params;
@@ -60,7 +83,9 @@ JointTracker::JointTracker(const JointTrackerParams& params, const core::SonarPa
       birth_(params.birth, sonar.max_speed),
       births_(std::move(births)),
       unseen_(params.birth, sonar.max_speed),
-      report_(params.report, random_) {
+      report_(params.report, random_),
+      figures_({}, sonar) {
+  likelihood_.set_figures(figures_.figures());
   tracks_.reserve(static_cast<std::size_t>(params.life.max_tracks));
 }
 
@@ -76,6 +101,7 @@ std::span<const core::Track> JointTracker::update(const core::PosedScan& scan) {
     begin_tracks();
   end_lives();
   choose_report();
+  learn_sensor();
   publish();
   return published_;
 }
@@ -99,7 +125,8 @@ void JointTracker::take(const core::PosedScan& scan) {
   }
 }
 
-// What each track would take of the scan on its own, so that the others know before they are updated.
+// What each track would take of the scan on its own, so that the others know
+// before they are updated.
 void JointTracker::claim_provisionally() {
   for (std::size_t slot = 0; slot < tracks_.size(); ++slot) {
     JointTrack& track = tracks_[slot];
@@ -170,7 +197,8 @@ void JointTracker::refresh(std::size_t slot) {
   JointTrack& track = tracks_[slot];
   SamplingTask task;
   task.guess = track.cloud.moments();
-  // A cloud that one scan has cut down to a few trajectories says little of its own spread.
+  // A cloud that one scan has cut down to a few trajectories says little of its
+  // own spread.
   const double rest = std::min(1.0, track.cloud.dimensions() / track.cloud.effective_size());
   task.guess.covariance += rest * track.moments.covariance;
   task.ages = memory_of(track);
@@ -183,7 +211,8 @@ void JointTracker::refresh(std::size_t slot) {
   if (effective <= std::min(track.cloud.effective_size(), kEnoughEffective)) return;
   std::swap(track.cloud, fresh_);
   track.claims_are_fresh = false;
-  // Odds that were picked as the best of many are too high; drawn again they are not. csht_limits, idea 3.
+  // Odds that were picked as the best of many are too high; drawn again they
+  // are not. csht_limits, idea 3.
   const bool whole_life = track.remembers_birth && !track.cloud.curved &&
                           task.ages.oldest == likelihood_.scans().pushed() - 1 - track.first_scan;
   if (whole_life && track.log_odds < kSettledLogOdds && result.effective_share > kTrustedShare)
@@ -269,7 +298,8 @@ bool JointTracker::draw_birth(const BirthSeed& seed, double& log_odds) {
   task.rounds = params_.birth.rounds;
   task.give_up_below = params_.life.tentative_log_odds - params_.birth.hopeless - seed.log_density;
   if (sampler_.sample(task, likelihood_, random_, fresh_).log_evidence < task.give_up_below) return false;
-  // Of many seeds the luckiest estimates stand out: once more, with trajectories that nothing was chosen by.
+  // Of many seeds the luckiest estimates stand out: once more, with
+  // trajectories that nothing was chosen by.
   task.guess = fresh_.moments();
   task.samples = params_.cloud.trajectories;
   const SamplingResult result = sampler_.sample(task, likelihood_, random_, fresh_);
@@ -365,6 +395,21 @@ void JointTracker::choose_report() {
     track.reported = report;
     track.confirmed_once |= report;
   }
+}
+
+// The sensor's figures from beams that no track owns and from sure tracks on
+// straight lines.
+void JointTracker::learn_sensor() {
+  targets_.clear();
+  for (const JointTrack& track : tracks_) {
+    if (!track.used || track.cloud.curved || track.existence() < params_.report.min_existence) continue;
+    if (target_samples_.size() == targets_.size()) target_samples_.emplace_back().reserve(kTargetSamples);
+    auto& samples = target_samples_[targets_.size()];
+    resample(track.cloud, samples);
+    targets_.push_back({samples, track.existence()});
+  }
+  figures_.update(likelihood_.scans(), targets_);
+  if (differ(figures_.figures(), likelihood_.scans().figures())) likelihood_.set_figures(figures_.figures());
 }
 
 void JointTracker::publish() {

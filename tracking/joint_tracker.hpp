@@ -7,6 +7,7 @@
 
 #include "core/random.hpp"
 #include "core/sonar_params.hpp"
+#include "csht/sensor_figures.hpp"
 #include "tracking/birth.hpp"
 #include "tracking/joint_birth.hpp"
 #include "tracking/joint_likelihood.hpp"
@@ -22,19 +23,24 @@
 
 namespace lookout::tracking {
 
-/// The tracker at the physical limit of the sonar: each target is a density over its trajectories under the
-/// exact likelihood of the last minute of scans, with odds of existence; births come from pairs of echoes
-/// that no track explains; what is reported minimises the expected OSPA. docs/tracker.md.
+/// The tracker at the physical limit of the sonar: each target is a density
+/// over its trajectories under the exact likelihood of the last minute of
+/// scans, with odds of existence; births come from pairs of echoes that no
+/// track explains; what is reported minimises the expected OSPA.
+/// docs/tracker.md.
 class JointTracker : public Tracker {
  public:
-  /// @param sonar its probabilities, where given, are taken as known.
-  /// @param seed of all draws; those of a scan derive from (seed, scan sequence) alone.
+  /// @param sonar its figures, where given, are used until the scans contradict
+  /// them; else they are estimated.
+  /// @param seed of all draws; those of a scan derive from (seed, scan
+  /// sequence) alone.
   /// @param births where tracks begin in place of its own pairs of echoes; null: those.
   /// @throws std::invalid_argument on a parameter out of range.
   JointTracker(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed,
                std::unique_ptr<BirthMethod> births = nullptr);
 
   std::span<const core::Track> update(const core::PosedScan& scan) override;
+  std::optional<core::SensorEstimate> sensor_estimate() const override { return figures_.estimate(); }
   void explain_to(DecisionLog log) override { log_ = std::move(log); }
   bool can_retrodict() const override { return true; }
   std::span<const core::Track> retrodict(std::int64_t utime) override;
@@ -58,6 +64,7 @@ class JointTracker : public Tracker {
   const char* reason_to_end(const JointTrack& track) const;
   void end(std::size_t slot, DecisionKind kind, const char* reason);
   void choose_report();
+  void learn_sensor();
   void publish();
   void publish_track(const JointTrack& track);
   AgeSpan memory_of(const JointTrack& track) const;
@@ -78,6 +85,9 @@ class JointTracker : public Tracker {
   JointUnseen unseen_;
   JointReport report_;
   JointRetrodiction retrodiction_;
+  csht::SensorFigureEstimator figures_;
+  std::vector<std::vector<Eigen::Vector4d>> target_samples_;
+  std::vector<csht::KnownTarget> targets_;
   std::vector<JointTrack> tracks_;  ///< Slots, used again when free.
   JointCloud fresh_;                ///< Where a cloud is drawn before it replaces another.
   double unseen_targets_ = 0.0;
