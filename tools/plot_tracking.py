@@ -32,8 +32,8 @@ def plot_over_time(directory, methods):
         for axis, (column, label) in zip(axes, PARTS):
             axis.plot(time, [float(row[column]) for row in rows], label=method, linewidth=1)
             axis.set_ylabel(label)
-    axes[0].legend(ncol=len(methods))
-    axes[0].set_title("one run, light clutter, $P_F = P_M = 0.5$, targets in view")
+    axes[0].legend(ncol=len(methods), loc="lower center", bbox_to_anchor=(0.5, 1.0),
+                   title="one run, light clutter, $P_F = P_M = 0.5$, targets in view")
     axes[-1].set_xlabel("time [s]")
     save(figure, directory / "ospa_over_time.png")
 
