@@ -48,6 +48,7 @@ Configuration load_configuration(const Options& options) {
   estimators.emplace_back(kImageEstimator);
   apply_name("--estimator", options.estimator, estimators, configuration.estimator.name);
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
+  configuration.explain = options.explain;
   if (configuration.estimator.name.empty())
     configuration.estimator.name = default_estimator(configuration.tracker.name);
   configuration.tracker.births = configuration.initiator;

@@ -15,6 +15,7 @@ struct Configuration {
   tracking::TrackerParams tracker;
   tracking::TbdParams tbd;
   tracking::InitiatorConfig initiator;
+  bool explain = false;  ///< Log every track decision.
 };
 
 /// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.

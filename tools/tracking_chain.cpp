@@ -1,15 +1,32 @@
 #include "tools/tracking_chain.hpp"
 
+#include <cstdio>
+
 #include "tools/log.hpp"
 #include "tracking/estimating_tracker.hpp"
 
 namespace lookout::tools {
+namespace {
+
+constexpr std::size_t kLongestLine = 160;
+
+// One line: time, track, decision, evidence, reason.
+void log_decision(const tracking::TrackDecision& decision) {
+  char line[kLongestLine];
+  std::snprintf(line, sizeof line, "%.3f s track %lld: %s, %.1f nats, %s", core::seconds(decision.utime),
+                static_cast<long long>(decision.track), tracking::to_string(decision.kind), decision.evidence,
+                decision.reason);
+  log_info(line);
+}
+
+}  // namespace
 
 tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configuration, std::uint64_t seed) {
   return [configuration, seed](const core::SonarParams& sensor) -> std::unique_ptr<tracking::Tracker> {
     const csht::EstimatorParams& estimator = configuration.estimator;
     auto tracker =
         tracking::make_tracker(configuration.tracker.name, configuration.tracker, sensor, estimator, seed);
+    if (configuration.explain) tracker->explain_to(&log_decision);
     if (tracker->has_estimator()) return tracker;
     return std::make_unique<tracking::EstimatingTracker>(
         std::move(tracker), csht::make_estimator(estimator.name, estimator, sensor, seed));

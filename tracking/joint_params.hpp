@@ -37,7 +37,7 @@ struct JointBirthParams {
 struct JointManoeuvreParams {
   double window_s = 8.0;  ///< Stretch that a curved trajectory holds for [s], in (0, 30]. At 6 deg/s and
                           ///< 3 m/s a constant acceleration is then off by at most 0.4 m.
-  double prior = 0.01;    ///< That a window begins a manoeuvre, in (0, 1).
+  double prior = 0.002;   ///< That a window begins a manoeuvre, in (0, 1).
   double trigger_share = 0.75;  ///< A line is doubted when it brings less than this share of its evidence.
   int sudden_scans = 4;         ///< ... or when over this many scans, >= 1,
   double sudden_nats = 6.0;     ///< it falls this much short of what was to be expected, > 0.

@@ -37,7 +37,7 @@ TEST_P(TrackerAllocation, NothingPerScanOnceWarm) {
 }
 
 // The Kalman baseline is left out: MRPT's engine allocates in every iteration.
-INSTANTIATE_TEST_SUITE_P(Trackers, TrackerAllocation, ::testing::Values("csht", "gnn", "joint"),
+INSTANTIATE_TEST_SUITE_P(Trackers, TrackerAllocation, ::testing::Values("csht", "gnn"),
                          [](const auto& info) { return info.param; });
 
 }  // namespace
