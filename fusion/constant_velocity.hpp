@@ -5,7 +5,7 @@
 /// The motion model that nodes and fusion share: constant velocity with white acceleration.
 namespace lookout::fusion {
 
-/// Transition over `dt` [s] of (north, east, north velocity, east velocity). [LiFan2019] Eq. (20) without
+/// Transition over `dt` [s] of (north, east, north velocity, east velocity). [Li2018] Eq. (20) without
 /// turn, the two misprinted elements corrected.
 inline Eigen::Matrix4d transition(double dt) {
   Eigen::Matrix4d F = Eigen::Matrix4d::Identity();

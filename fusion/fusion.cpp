@@ -11,11 +11,12 @@ Fusion::Fusion(const FusionParams& params)
       global_tracks_(params.global) {}
 
 std::span<const core::Track> Fusion::update(std::int64_t utime) {
-  global_tracks_.predict(utime);                              // [LiFan2019] Eq. (16)
+  global_tracks_.predict(utime);                              // [Li2018] Eq. (16)
   associate(utime);                                           // Eq. (8)-(13)
   const auto fused = method_->fuse(global_tracks_.groups());  // Eq. (14)-(19)
   global_tracks_.take(fused, association_);
   local_tracks_.forget_silent(utime);
+  global_tracks_.forget_locals(local_tracks_.tracks());
   return global_tracks_.tracks();
 }
 
@@ -57,8 +58,14 @@ void Fusion::associate(std::int64_t utime) {
 
 void Fusion::associate_node(std::span<const Contribution> tracklets) {
   states_.clear();
-  for (const Contribution& tracklet : tracklets) states_.push_back(tracklet.current);
-  global_tracks_.add_support(tracklets, association_.associate(states_, global_tracks_.predicted()));
+  before_.clear();
+  for (const Contribution& tracklet : tracklets) {
+    states_.push_back(tracklet.current);
+    const LocalEstimate& estimate = tracklet.track->newest();
+    before_.push_back(global_tracks_.supported_by({estimate.node_id, estimate.track_id}));
+  }
+  const auto& indices = association_.associate(states_, global_tracks_.predicted(), before_);
+  global_tracks_.add_support(tracklets, indices);
 }
 
 }  // namespace lookout::fusion

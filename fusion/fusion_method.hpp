@@ -20,7 +20,7 @@ struct TrackGroup {
   std::int64_t global_id = 0;
   std::int64_t utime = 0;                   ///< Time of fusion [us].
   bool is_new = false;                      ///< Begun at this time: there is no prediction to compare with.
-  Eigen::Vector4d previous{0, 0, 0, 0};     ///< Fused state of the last time, [LiFan2019] Eq. (15).
+  Eigen::Vector4d previous{0, 0, 0, 0};     ///< Fused state of the last time, [Li2018] Eq. (15).
   Eigen::Vector4d predicted{0, 0, 0, 0};    ///< That state carried to `utime`, Eq. (16).
   std::vector<Contribution> contributions;  ///< One or more.
 };

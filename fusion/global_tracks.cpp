@@ -24,6 +24,7 @@ void GlobalTracks::clear() {
   supported_utime_.clear();
   alike_.clear();
   merged_.clear();
+  global_of_local_.clear();
 }
 
 void GlobalTracks::predict(std::int64_t utime) {
@@ -49,12 +50,33 @@ void GlobalTracks::start(const Contribution& contribution) {
   predicted_.push_back(track.state);
   supports_.push_back({track.id, utime_, true, track.state, track.state, {contribution}});
   supported_utime_.push_back(utime_);
+  remember(contribution, track.id);
+}
+
+void GlobalTracks::remember(const Contribution& contribution, std::int64_t global_id) {
+  const LocalEstimate& estimate = contribution.track->newest();
+  global_of_local_[{estimate.node_id, estimate.track_id}] = global_id;
+}
+
+int GlobalTracks::supported_by(const LocalTrackStore::Key& local) const {
+  const auto found = global_of_local_.find(local);
+  if (found == global_of_local_.end()) return -1;
+  const auto track = std::lower_bound(tracks_.begin(), tracks_.end(), found->second,
+                                      [](const core::Track& t, std::int64_t id) { return t.id < id; });
+  if (track == tracks_.end() || track->id != found->second) return -1;
+  return static_cast<int>(track - tracks_.begin());
+}
+
+void GlobalTracks::forget_locals(const LocalTrackStore::Tracks& known) {
+  std::erase_if(global_of_local_, [&](const auto& entry) { return !known.contains(entry.first); });
 }
 
 void GlobalTracks::add_support(std::span<const Contribution> contributions, std::span<const int> indices) {
   for (std::size_t i = 0; i < contributions.size(); ++i) {
     if (indices[i] >= 0) {
-      supports_[static_cast<std::size_t>(indices[i])].contributions.push_back(contributions[i]);
+      TrackGroup& support = supports_[static_cast<std::size_t>(indices[i])];
+      support.contributions.push_back(contributions[i]);
+      remember(contributions[i], support.global_id);
     } else if (contributions[i].track->heard() >= static_cast<std::size_t>(params_.birth_estimates)) {
       start(contributions[i]);
     }

@@ -8,6 +8,7 @@
 
 #include "core/track.hpp"
 #include "fusion/fusion_method.hpp"
+#include "fusion/local_track_store.hpp"
 #include "fusion/track_association.hpp"
 
 namespace lookout::fusion {
@@ -30,7 +31,7 @@ class GlobalTracks {
   /// @throws std::invalid_argument on a parameter out of range.
   explicit GlobalTracks(const GlobalTracksParams& params);
 
-  /// Carries every track to `utime`, without support. [LiFan2019] Eq. (16).
+  /// Carries every track to `utime`, without support. [Li2018] Eq. (16).
   void predict(std::int64_t utime);
 
   /// The predicted states, newborn tracks last.
@@ -39,6 +40,9 @@ class GlobalTracks {
   /// Adds the contributions of one node, each to the track of its index in `predicted`; one with index -1
   /// starts a track where it has been heard often enough.
   void add_support(std::span<const Contribution> contributions, std::span<const int> indices);
+
+  /// The place in `predicted` of the track that a local track supported the last time, or -1.
+  int supported_by(const LocalTrackStore::Key& local) const;
 
   /// The tracks with support, as the fusion methods take them.
   std::span<const TrackGroup> groups();
@@ -50,6 +54,8 @@ class GlobalTracks {
   std::span<const core::Track> tracks() const { return tracks_; }
   /// Which tracks have died in a merger, and into which: (ended, kept), in this update.
   std::span<const std::pair<std::int64_t, std::int64_t>> merged() const { return merged_; }
+  /// Forgets the associations of local tracks that the store has forgotten.
+  void forget_locals(const LocalTrackStore::Tracks& known);
   /// Forgets all tracks; numbering goes on.
   void clear();
 
@@ -57,6 +63,7 @@ class GlobalTracks {
   using IdPair = std::pair<std::int64_t, std::int64_t>;
 
   void start(const Contribution& contribution);
+  void remember(const Contribution& contribution, std::int64_t global_id);
   void update_status(std::size_t index);
   void merge_alike(const TrackAssociation& likeness);
   bool may_be_one(std::size_t a, std::size_t b) const;
@@ -73,6 +80,7 @@ class GlobalTracks {
   std::vector<std::int64_t> supported_utime_;  ///< When a node last supported it [us].
 
   std::vector<TrackGroup> groups_;
+  std::map<LocalTrackStore::Key, std::int64_t> global_of_local_;  ///< The newest association.
   std::map<IdPair, int> alike_;  ///< For how many updates two tracks have looked like one.
   std::vector<IdPair> merged_;
 };

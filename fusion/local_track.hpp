@@ -9,7 +9,7 @@
 
 namespace lookout::fusion {
 
-/// The newest estimates of one track of one node. The last two are a tracklet, [LiFan2019] Eq. (1); one alone
+/// The newest estimates of one track of one node. The last two are a tracklet, [Li2018] Eq. (1); one alone
 /// is a candidate tracklet, Eq. (2), and has no vote.
 class LocalTrack {
  public:

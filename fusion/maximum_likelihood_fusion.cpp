@@ -10,6 +10,9 @@
 namespace lookout::fusion {
 namespace {
 
+/// Two local tracks that were not fused for so long begin anew [s].
+constexpr double kForgetAfter = 60.0;
+
 /// The estimate of `track` at exactly `utime`, by its place before the newest.
 std::optional<std::size_t> place_of(const LocalTrack& track, std::int64_t utime) {
   for (std::size_t age = 0; age < track.size(); ++age) {
@@ -46,17 +49,19 @@ MaximumLikelihoodFusion::MaximumLikelihoodFusion(const KalmanModel& model) : mod
 }
 
 std::span<const FusedState> MaximumLikelihoodFusion::fuse(std::span<const TrackGroup> groups) {
-  for (auto& [pair, cross] : cross_) cross.used = false;
   fused_.clear();
   for (const TrackGroup& group : groups) fused_.push_back(fuse_group(group));
-  std::erase_if(cross_, [](const auto& entry) { return !entry.second.used; });
+  if (groups.empty()) return fused_;
+  const std::int64_t now = groups.front().utime;
+  std::erase_if(cross_,
+                [&](const auto& entry) { return core::seconds(now - entry.second.utime) > kForgetAfter; });
   return fused_;
 }
 
 MaximumLikelihoodFusion::Cross MaximumLikelihoodFusion::first_cross(const LocalTrack& a,
                                                                     const LocalTrack& b) const {
   const std::int64_t first_of_a = a.back(a.size() - 1).utime, first_of_b = b.back(b.size() - 1).utime;
-  Cross cross{Eigen::Matrix4d::Zero(), std::max(first_of_a, first_of_b), true};
+  Cross cross{Eigen::Matrix4d::Zero(), std::max(first_of_a, first_of_b)};
   if (first_of_a != first_of_b) return cross;
   // Both filters start from one measured position and no velocity: the true velocity is their common error.
   const double variance = model_.velocity_sigma * model_.velocity_sigma;
@@ -81,9 +86,9 @@ void MaximumLikelihoodFusion::advance(Cross& cross, const LocalTrack& a, const L
 
 Eigen::Matrix4d MaximumLikelihoodFusion::cross_covariance(const LocalTrack& a, const LocalTrack& b,
                                                           std::int64_t utime) {
-  const auto [entry, is_new] = cross_.try_emplace(Pair{&a, &b});
+  const Pair pair{{a.newest().node_id, a.newest().track_id}, {b.newest().node_id, b.newest().track_id}};
+  const auto [entry, is_new] = cross_.try_emplace(pair);
   if (is_new) entry->second = first_cross(a, b);
-  entry->second.used = true;
   advance(entry->second, a, b, utime);
   return entry->second.covariance;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "fusion/fusion_method.hpp"
+#include "fusion/local_track_store.hpp"
 
 namespace lookout::fusion {
 
@@ -28,12 +29,11 @@ class MaximumLikelihoodFusion final : public FusionMethod {
   void reset() override { cross_.clear(); }
 
  private:
-  using Pair = std::pair<const LocalTrack*, const LocalTrack*>;
+  using Pair = std::pair<LocalTrackStore::Key, LocalTrackStore::Key>;
   /// Cross-covariance of two local tracks at `utime`.
   struct Cross {
     Eigen::Matrix4d covariance;
     std::int64_t utime;
-    bool used;  ///< In the newest fusion: the others are forgotten.
   };
 
   FusedState fuse_group(const TrackGroup& group);

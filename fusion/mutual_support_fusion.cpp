@@ -41,9 +41,9 @@ void MutualSupportFusion::support(const TrackGroup& group, std::vector<double>& 
   compare_all_pairs(group);
   const double largest = mutual_.maxCoeff();
   if (largest == 0.0) return;
-  const double pairs = static_cast<double>(mutual_.size() - mutual_.rows());
+  const double entries = static_cast<double>(mutual_.size());  // The zero distances to oneself count too.
   if (variant_ == MutualSupport::d) {
-    mutual_ = (-mutual_.array() / (mutual_.sum() / pairs)).exp();
+    mutual_ = (-mutual_.array() / (mutual_.sum() / entries)).exp();
   } else {
     mutual_ = 1.0 - mutual_.array() / largest;
   }

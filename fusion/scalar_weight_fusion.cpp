@@ -21,7 +21,7 @@ std::span<const FusedState> ScalarWeightFusion::fuse(std::span<const TrackGroup>
     if (!groups[g].is_new) support(groups[g], weights_);
     normalise(weights_);
     for (std::size_t i = 0; i < contributions.size(); ++i)
-      fused_[g].state += weights_[i] * contributions[i].current;  // [LiFan2019] Eq. (19)
+      fused_[g].state += weights_[i] * contributions[i].current;  // [Li2018] Eq. (19)
   }
   return fused_;
 }

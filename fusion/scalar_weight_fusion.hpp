@@ -7,7 +7,7 @@
 namespace lookout::fusion {
 
 /// Methods that give each contribution one number: the fused state is the weighted mean of all four
-/// components, without memory of the global track. [LiFan2019] Eq. (19).
+/// components, without memory of the global track. [Li2018] Eq. (19).
 class ScalarWeightFusion : public FusionMethod {
  public:
   std::span<const FusedState> fuse(std::span<const TrackGroup> groups) final;
@@ -23,7 +23,7 @@ class ScalarWeightFusion : public FusionMethod {
   std::vector<FusedState> fused_;
 };
 
-/// Scales `support` to sum 1; equal weights where the sum is nought. [LiFan2019] Eq. (18).
+/// Scales `support` to sum 1; equal weights where the sum is nought. [Li2018] Eq. (18).
 void normalise(std::vector<double>& support);
 
 /// Equal weights.

@@ -21,7 +21,7 @@ struct SupportDegreeParams {
 };
 
 /// Weights by the support degree function: the nearer a tracklet's line to that of the global track in Hough
-/// space, the more weight. To the letter, flaws included (t2gt 4). [LiFan2019] Eq. (3)-(7), (14)-(19).
+/// space, the more weight. To the letter, flaws included (t2gt 4). [Li2018] Eq. (3)-(7), (14)-(19).
 class SupportDegreeFusion final : public ScalarWeightFusion {
  public:
   /// @throws std::invalid_argument on a unit that is not positive.

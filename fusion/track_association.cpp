@@ -16,6 +16,7 @@ TrackAssociation::TrackAssociation(const AssociationParams& params) : params_(pa
   const double sum = params.position_weight + params.speed_weight + params.heading_weight;
   require("the sum of the association weights", sum, std::abs(sum - 1.0) < 1e-9, "1");
   require("threshold", params.threshold, params.threshold >= 0.0 && params.threshold < 1.0, "in [0, 1)");
+  require("kept_bonus", params.kept_bonus, params.kept_bonus >= 0.0, ">= 0");
   require("standing_share", params.standing_share, params.standing_share >= 0.0, ">= 0");
 }
 
@@ -25,7 +26,7 @@ TrackAssociation::Course TrackAssociation::course(const Eigen::Vector4d& state) 
 }
 
 double TrackAssociation::membership(const Course& a, const Course& b) const {
-  // [LiFan2019] Eq. (8)-(11); the function called Gaussian there is an exponential.
+  // [Li2018] Eq. (8)-(11); the function called Gaussian there is an exponential.
   const double near = std::exp(-(a.position - b.position).norm() / params_.position_scale);
   const double alike = std::exp(-std::abs(a.speed - b.speed) / params_.speed_scale);
   const double kinematic = params_.position_weight * near + params_.speed_weight * alike;
@@ -41,7 +42,8 @@ double TrackAssociation::membership(const Eigen::Vector4d& a, const Eigen::Vecto
 }
 
 const std::vector<int>& TrackAssociation::associate(std::span<const Eigen::Vector4d> tracklets,
-                                                    std::span<const Eigen::Vector4d> globals) {
+                                                    std::span<const Eigen::Vector4d> globals,
+                                                    std::span<const int> before) {
   global_of_tracklet_.assign(tracklets.size(), -1);
   if (tracklets.empty() || globals.empty()) return global_of_tracklet_;
   global_courses_.clear();
@@ -55,7 +57,7 @@ const std::vector<int>& TrackAssociation::associate(std::span<const Eigen::Vecto
   if (params_.rule == AssociationRule::max) {
     take_largest();
   } else {
-    take_one_to_one();
+    take_one_to_one(before);
   }
   return global_of_tracklet_;
 }
@@ -63,19 +65,24 @@ const std::vector<int>& TrackAssociation::associate(std::span<const Eigen::Vecto
 void TrackAssociation::take_largest() {
   for (Eigen::Index i = 0; i < cost_.rows(); ++i) {
     Eigen::Index best = 0;
-    cost_.row(i).minCoeff(&best);  // [LiFan2019] Eq. (13)
+    cost_.row(i).minCoeff(&best);  // [Li2018] Eq. (13)
     global_of_tracklet_[static_cast<std::size_t>(i)] = static_cast<int>(best);
   }
 }
 
-void TrackAssociation::take_one_to_one() {
+void TrackAssociation::take_one_to_one(std::span<const int> before) {
   // A pair below the threshold is worth nothing, so that it never displaces a good one.
   const double limit = 1.0 - params_.threshold;
-  cost_ = (cost_.array() > limit).select(1.0, cost_);
+  const auto allowed = (cost_.array() <= limit).eval();
+  cost_ = allowed.select(cost_, 1.0);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    if (before[i] >= 0 && allowed(static_cast<Eigen::Index>(i), before[i]))
+      cost_(static_cast<Eigen::Index>(i), before[i]) -= params_.kept_bonus;
+  }
   const std::vector<int>& column_of_row = solver_.solve(cost_);
   for (Eigen::Index i = 0; i < cost_.rows(); ++i) {
     const int column = column_of_row[static_cast<std::size_t>(i)];
-    if (column >= 0 && cost_(i, column) <= limit) global_of_tracklet_[static_cast<std::size_t>(i)] = column;
+    if (column >= 0 && allowed(i, column)) global_of_tracklet_[static_cast<std::size_t>(i)] = column;
   }
 }
 

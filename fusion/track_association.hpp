@@ -17,11 +17,13 @@ struct AssociationParams {
   double position_scale = 5.0;    ///< u_max of the distance [m], > 0. t2gt 2: about the targets' spacing.
   double speed_scale = 1.0;       ///< u_max of the speed difference [m/s], > 0. t2gt 2: 0.4 x speed.
   double heading_scale = 0.8;     ///< u_max of the heading difference [rad], > 0. t2gt 2: 3 x its error.
-  double position_weight = 0.55;  ///< >= 0. [LiFan2019] Eq. (12), (13).
+  double position_weight = 0.55;  ///< >= 0. [Li2018] Eq. (12), (13).
   double speed_weight = 0.35;     ///< >= 0. The same.
   double heading_weight = 0.10;   ///< >= 0. The same; the three sum to 1.
   double threshold = 0.35;        ///< Least membership, in [0, 1). t2gt 2 (a).
-  double standing_share = 0.05;   ///< Below this share of speed_scale a target stands, >= 0. t2gt 2 (c).
+  double kept_bonus = 0.15;  ///< Added to the membership of a pair that was associated the last time, >= 0:
+                             ///< keeps numbers where targets meet; `one_to_one` only. Own choice.
+  double standing_share = 0.05;  ///< Below this share of speed_scale a target stands, >= 0. t2gt 2 (c).
 };
 
 /// Fuzzy association of the tracklets of one node with the global tracks.
@@ -31,12 +33,13 @@ class TrackAssociation {
   explicit TrackAssociation(const AssociationParams& params);
 
   /// Membership in [0, 1] of one state in another, (north, east, north velocity, east velocity), SI.
-  /// [LiFan2019] Eq. (8)-(12), with the lost velocity dots, atan2 and a wrapped heading difference.
+  /// [Li2018] Eq. (8)-(12), with the lost velocity dots, atan2 and a wrapped heading difference.
   double membership(const Eigen::Vector4d& a, const Eigen::Vector4d& b) const;
 
   /// The global track of each tracklet of one node, or -1. Valid until the next call.
+  /// @param before the global track of each tracklet the last time, -1 where it had none.
   const std::vector<int>& associate(std::span<const Eigen::Vector4d> tracklets,
-                                    std::span<const Eigen::Vector4d> globals);
+                                    std::span<const Eigen::Vector4d> globals, std::span<const int> before);
 
   const AssociationParams& params() const { return params_; }
 
@@ -51,7 +54,7 @@ class TrackAssociation {
   static Course course(const Eigen::Vector4d& state);
   double membership(const Course& a, const Course& b) const;
   void take_largest();
-  void take_one_to_one();
+  void take_one_to_one(std::span<const int> before);
 
   AssociationParams params_;
   std::vector<Course> global_courses_;

@@ -16,7 +16,7 @@ TEST(HoughPoint, AgreesWithThePrintedSlopeForm) {
   const double slope = 0.5;
   const auto point = hough_point(older, newer, kOrigin);
   ASSERT_TRUE(point);
-  // [LiFan2019] Eq. (4), (5).
+  // [Li2018] Eq. (4), (5).
   EXPECT_NEAR(point->rho, std::abs(slope * 300.0 - 150.0) / std::sqrt(slope * slope + 1.0), 1e-9);
   EXPECT_NEAR(point->theta, std::atan(-1.0 / slope), 1e-12);
 }

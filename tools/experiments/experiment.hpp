@@ -53,6 +53,14 @@ using Metrics = std::map<std::string, Metric>;
 /// How the runs of a metric become one figure.
 enum class Pooling { mean, root_mean_square };
 
+/// One figure of a cell, pooled over its runs.
+struct Estimate {
+  double mean = 0.0;
+  double ci95 = 0.0;  ///< Half width of the 95 % interval; NaN from a single run.
+  int runs = 0;       ///< Runs that had a value.
+};
+using Estimates = std::map<std::string, Estimate>;
+
 class Experiment {
  public:
   virtual ~Experiment() = default;
@@ -70,6 +78,8 @@ class Experiment {
   virtual Metrics run(const Cell& cell, std::uint64_t seed, int run) const = 0;
 
   virtual Pooling pooling(const std::string& /*metric*/) const { return Pooling::mean; }
+  /// Adds figures that follow from the pooled ones of a cell.
+  virtual void complete(Estimates& /*estimates*/) const {}
   /// Further files for the plots (one window drawn, an OSPA curve over time).
   virtual void write_extras(std::uint64_t /*seed*/, const std::string& /*directory*/) const {}
   virtual std::string plot_script() const {

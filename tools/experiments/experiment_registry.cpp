@@ -11,6 +11,7 @@
 #include "tools/experiments/hpmht_video.hpp"
 #include "tools/experiments/nht_experiments.hpp"
 #include "tools/experiments/recordings.hpp"
+#include "tools/experiments/t2gt.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -26,6 +27,7 @@ const std::array kExperiments{
     ExperimentEntry{"agfht-sweep", make_agfht_sweep},
     ExperimentEntry{"hpmht-video", make_hpmht_video},
     ExperimentEntry{"hpmht-sonar", make_hpmht_sonar},
+    ExperimentEntry{"t2gt", make_t2gt},
 };
 
 }  // namespace

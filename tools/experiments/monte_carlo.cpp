@@ -98,6 +98,7 @@ CellResult pool_cell(const Experiment& experiment, const Cell& cell,
     const Estimate estimate = pool(metrics, experiment.pooling(name));
     if (estimate.runs > 0) result.metrics[name] = estimate;
   }
+  experiment.complete(result.metrics);
   return result;
 }
 

@@ -29,15 +29,9 @@ struct MonteCarloOptions {
   bool resume = false;        ///< Take the runs that the progress file already holds.
 };
 
-struct Estimate {
-  double mean = 0.0;
-  double ci95 = 0.0;  ///< Half width of the 95 % interval; NaN from a single run.
-  int runs = 0;       ///< Runs that had a value.
-};
-
 struct CellResult {
   Cell cell;
-  std::map<std::string, Estimate> metrics;
+  Estimates metrics;
 };
 
 struct ExperimentResults {

@@ -1,0 +1,47 @@
+#include "fusion/fusion_params.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/input_error.hpp"
+#include "core/yaml_reader.hpp"
+
+namespace lookout::fusion {
+namespace {
+
+FusionParams read(const std::string& text) {
+  FusionParams params;
+  read_fusion_params(core::YamlMap::load_text(text, "test.yaml"), params);
+  return params;
+}
+
+TEST(FusionParams, ReadsItsKeys) {
+  const auto params = read(
+      "{support: col, unit: m, origin: node, node_north: 21.0, node_east: 24.0, association: max, method: "
+      "ci, "
+      "position_scale: 7.5, bearing_sigma_deg: 0.5, coast_s: 4.0}");
+  EXPECT_EQ(params.support_degree.reading, SupportReading::col);
+  EXPECT_EQ(params.support_degree.length_unit, 1.0);
+  EXPECT_EQ(params.support_degree.p_earth_origin, Eigen::Vector2d(21.0, 24.0));
+  EXPECT_EQ(params.association.rule, AssociationRule::max);
+  EXPECT_EQ(params.association.position_scale, 7.5);
+  EXPECT_EQ(params.method, "ci");
+  EXPECT_NEAR(params.learned.bearing_sigma, core::radians(0.5), 1e-15);
+  EXPECT_EQ(params.global.coast, 4.0);
+}
+
+TEST(FusionParams, TheContractsExampleIsTheDefault) {
+  const auto params = read("{support: any, unit: km, origin: zero, association: one_to_one}");
+  EXPECT_EQ(params.support_degree.length_unit, 1000.0);
+  EXPECT_EQ(params.association.rule, AssociationRule::one_to_one);
+  EXPECT_EQ(params.method, "learned");
+}
+
+TEST(FusionParams, RefusesUnknownKeysAndValues) {
+  EXPECT_THROW(read("{suport: any}"), core::InputError);
+  EXPECT_THROW(read("{support: most}"), core::InputError);
+  EXPECT_THROW(read("{method: vote}"), core::InputError);
+  EXPECT_THROW(read("{position_scale: 0}"), core::InputError);
+}
+
+}  // namespace
+}  // namespace lookout::fusion

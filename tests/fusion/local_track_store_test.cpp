@@ -1,0 +1,74 @@
+#include "fusion/local_track_store.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/fusion/test_nodes.hpp"
+
+namespace lookout::fusion {
+namespace {
+
+using testing::estimate;
+
+const Eigen::Vector4d kState(1, 2, 3, 4);
+
+TEST(LocalTrackStore, TwoEstimatesMakeATrackletOneACandidate) {
+  LocalTrackStore store({});
+  store.add(estimate(1, 1, 0.0, kState));
+  EXPECT_FALSE(store.votes(store.tracks().begin()->second, core::microseconds(0.0)));
+  store.add(estimate(1, 1, 0.5, kState));
+  EXPECT_TRUE(store.votes(store.tracks().begin()->second, core::microseconds(0.5)));
+}
+
+TEST(LocalTrackStore, RefusesDuplicatesAndOlderEstimates) {
+  LocalTrackStore store({});
+  EXPECT_EQ(store.add(estimate(1, 1, 1.0, kState)), Intake::accepted);
+  EXPECT_EQ(store.add(estimate(1, 1, 1.0, kState)), Intake::duplicate);
+  EXPECT_EQ(store.add(estimate(1, 1, 0.5, kState)), Intake::out_of_order);
+  EXPECT_EQ(store.add(estimate(1, 2, 0.5, kState)), Intake::accepted);  // Another track of the node.
+  EXPECT_EQ(store.tracks().at({1, 1}).size(), 1u);
+}
+
+TEST(LocalTrackStore, ATrackletNeedsItsEstimatesCloseInTime) {
+  LocalTrackStore store({});
+  store.add(estimate(1, 1, 0.0, kState));
+  store.add(estimate(1, 1, 5.5, kState));  // t2gt 9: at most 5 s apart, else a candidate again.
+  EXPECT_FALSE(store.tracks().begin()->second.is_tracklet());
+  store.add(estimate(1, 1, 6.0, kState));
+  EXPECT_TRUE(store.tracks().begin()->second.is_tracklet());
+}
+
+TEST(LocalTrackStore, ASilentTrackLosesItsVoteAfterThreeOfItsNodesIntervals) {
+  LocalTrackStore store({});
+  for (int k = 0; k <= 4; ++k) store.add(estimate(1, 1, k, kState));  // One second apart.
+  const LocalTrack& track = store.tracks().begin()->second;
+  EXPECT_TRUE(store.votes(track, core::microseconds(6.9)));
+  EXPECT_FALSE(store.votes(track, core::microseconds(7.1)));
+}
+
+TEST(LocalTrackStore, ForgetsTheLongSilentAndBoundsItsMemory) {
+  LocalTrackStoreParams params;
+  params.max_tracks = 2;
+  LocalTrackStore store(params);
+  store.add(estimate(1, 1, 0.0, kState));
+  store.add(estimate(1, 2, 20.0, kState));
+  EXPECT_EQ(store.add(estimate(1, 3, 20.0, kState)), Intake::too_many);
+  store.forget_silent(core::microseconds(31.0));
+  EXPECT_EQ(store.tracks().size(), 1u);
+}
+
+TEST(LocalTrackStore, KeepsTheNewestEightEstimates) {
+  LocalTrack track(estimate(1, 1, 0.0, kState));
+  for (int k = 1; k < 20; ++k) track.append(estimate(1, 1, k, kState));
+  EXPECT_EQ(track.size(), 8u);
+  EXPECT_EQ(track.newest().utime, core::microseconds(19.0));
+  EXPECT_EQ(track.back(7).utime, core::microseconds(12.0));
+}
+
+TEST(LocalTrackStore, RefusesBadParameters) {
+  LocalTrackStoreParams params;
+  params.silent_rounds = 1.0;
+  EXPECT_THROW(LocalTrackStore{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::fusion

@@ -1,0 +1,82 @@
+#include "fusion/track_association.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace lookout::fusion {
+namespace {
+
+using States = std::vector<Eigen::Vector4d>;
+
+AssociationParams printed() {
+  AssociationParams params;
+  params.rule = AssociationRule::max;
+  return params;
+}
+
+TEST(TrackAssociation, MembershipFollowsTheThreeDistances) {
+  const TrackAssociation association(printed());
+  // 5 m, 1 m/s and 0 rad apart: 0.55/e + 0.35/e + 0.10, [Li2018] Eq. (11), (12).
+  EXPECT_NEAR(association.membership({0, 0, 2, 0}, {5, 0, 3, 0}), 0.90 * std::exp(-1.0) + 0.10, 1e-12);
+}
+
+TEST(TrackAssociation, OppositeCoursesDiffer) {
+  const TrackAssociation association(printed());
+  // atan(y/x), as printed, would call these two equal; the membership loses 0.10 (1 - exp(-pi/0.8)).
+  EXPECT_NEAR(association.membership({0, 0, 1, 1}, {0, 0, -1, -1}), 0.90 + 0.10 * std::exp(-M_PI / 0.8),
+              1e-12);
+}
+
+TEST(TrackAssociation, HeadingWrapsAtHalfATurn) {
+  const TrackAssociation association(printed());
+  const double half = 0.01;  // Headings of 180 deg -+ 0.01 rad are 0.02 rad apart.
+  const double mu = association.membership({0, 0, -std::cos(half), std::sin(half)},
+                                           {0, 0, -std::cos(half), -std::sin(half)});
+  EXPECT_NEAR(mu, 0.90 + 0.10 * std::exp(-2 * half / 0.8), 1e-12);
+}
+
+TEST(TrackAssociation, PrintedRuleTakesAnAlienAndStarvesATrack) {
+  TrackAssociation association(printed());
+  const States globals{{0, 0, 2, 0}, {12, 0, 2, 0}}, tracklets{{0, 0, 2, 0}, {5, 0, 2, 0}, {900, 0, -2, 0}};
+  EXPECT_EQ(association.associate(tracklets, globals, {}), (std::vector<int>{0, 0, 0}));
+}
+
+TEST(TrackAssociation, RepairedRuleIsOneToOneAndRefusesTheAlien) {
+  TrackAssociation association(AssociationParams{});
+  const States globals{{0, 0, 2, 0}, {12, 0, 2, 0}}, tracklets{{0, 0, 2, 0}, {5, 0, 2, 0}, {900, 0, -9, 0}};
+  EXPECT_EQ(association.associate(tracklets, globals, {}), (std::vector<int>{0, 1, -1}));
+}
+
+TEST(TrackAssociation, StandingTargetsHaveNoHeading) {
+  const TrackAssociation association(AssociationParams{});
+  // Two speeds of 0.02 m/s on opposite courses: noise, not a turn. Below 5 % of 1 m/s the term is dropped.
+  EXPECT_NEAR(association.membership({0, 0, 0.02, 0}, {0, 0, -0.02, 0}), 1.0, 1e-12);
+}
+
+TEST(TrackAssociation, KeepsAPairWhereTargetsMeet) {
+  TrackAssociation association(AssociationParams{});
+  const States globals{{0, 0, 2, 0}, {0.4, 0, 2, 0}}, tracklets{{0.3, 0, 2, 0}, {0.1, 0, 2, 0}};
+  EXPECT_EQ(association.associate(tracklets, globals, {}), (std::vector<int>{1, 0}));  // By distance alone.
+  const std::vector<int> before{0, 1};
+  EXPECT_EQ(association.associate(tracklets, globals, before), (std::vector<int>{0, 1}));
+}
+
+TEST(TrackAssociation, NothingToAssociate) {
+  TrackAssociation association(AssociationParams{});
+  EXPECT_TRUE(association.associate({}, States{{0, 0, 1, 0}}, {}).empty());
+  EXPECT_EQ(association.associate(States{{0, 0, 1, 0}}, {}, {}), std::vector<int>{-1});
+}
+
+TEST(TrackAssociation, RefusesBadParameters) {
+  AssociationParams params;
+  params.position_scale = 0.0;
+  EXPECT_THROW(TrackAssociation{params}, std::invalid_argument);
+  params = {};
+  params.speed_weight = 0.5;  // The weights no longer sum to 1.
+  EXPECT_THROW(TrackAssociation{params}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::fusion
