@@ -43,6 +43,11 @@ void Fusion::restart() {
   method_->reset();
 }
 
+std::int64_t Fusion::global_of(std::int32_t node_id, std::int64_t track_id) const {
+  const int place = global_tracks_.supported_by({node_id, track_id});
+  return place < 0 ? -1 : global_tracks_.tracks()[static_cast<std::size_t>(place)].id;
+}
+
 void Fusion::associate(std::int64_t utime) {
   const auto& tracks = local_tracks_.tracks();
   for (auto entry = tracks.begin(); entry != tracks.end();) {

@@ -28,6 +28,8 @@ class Fusion {
 
   std::int64_t count(Intake outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
   std::int64_t restarts() const { return restarts_; }  ///< How often the common clock began anew.
+  /// The global track that a local one supports, by the newest association; -1: none.
+  std::int64_t global_of(std::int32_t node_id, std::int64_t track_id) const;
   const FusionMethod& method() const { return *method_; }
   const FusionClock& clock() const { return clock_; }
 

@@ -12,6 +12,7 @@
 #include "tools/experiments/nht_experiments.hpp"
 #include "tools/experiments/recordings.hpp"
 #include "tools/experiments/t2gt.hpp"
+#include "tools/experiments/two_uuv.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -28,6 +29,7 @@ const std::array kExperiments{
     ExperimentEntry{"hpmht-video", make_hpmht_video},
     ExperimentEntry{"hpmht-sonar", make_hpmht_sonar},
     ExperimentEntry{"t2gt", make_t2gt},
+    ExperimentEntry{"two-uuv", make_two_uuv},
 };
 
 }  // namespace
