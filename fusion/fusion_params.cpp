@@ -23,6 +23,7 @@ void read_association(const core::YamlMap& map, AssociationParams& params) {
   params.position_scale = map.number("position_scale", params.position_scale, core::kPositive);
   params.speed_scale = map.number("speed_scale", params.speed_scale, core::kPositive);
   params.heading_scale = map.number("heading_scale", params.heading_scale, core::kPositive);
+  params.position_gate = map.number("position_gate", params.position_gate, core::kPositive);
   params.threshold = map.number("threshold", params.threshold, core::Range{0.0, 0.99});
 }
 

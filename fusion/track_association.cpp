@@ -16,6 +16,7 @@ TrackAssociation::TrackAssociation(const AssociationParams& params) : params_(pa
   const double sum = params.position_weight + params.speed_weight + params.heading_weight;
   require("the sum of the association weights", sum, std::abs(sum - 1.0) < 1e-9, "1");
   require("threshold", params.threshold, params.threshold >= 0.0 && params.threshold < 1.0, "in [0, 1)");
+  require_positive("position_gate", params.position_gate);
   require("kept_bonus", params.kept_bonus, params.kept_bonus >= 0.0, ">= 0");
   require("standing_share", params.standing_share, params.standing_share >= 0.0, ">= 0");
 }
@@ -27,11 +28,14 @@ TrackAssociation::Course TrackAssociation::course(const Eigen::Vector4d& state) 
 
 double TrackAssociation::membership(const Course& a, const Course& b) const {
   // [Li2018] Eq. (8)-(11); the function called Gaussian there is an exponential.
-  const double near = std::exp(-(a.position - b.position).norm() / params_.position_scale);
+  const double distance = (a.position - b.position).norm() / params_.position_scale;
+  const bool repaired = params_.rule == AssociationRule::one_to_one;
+  if (repaired && distance > params_.position_gate) return 0.0;
+  const double near = std::exp(-distance);
   const double alike = std::exp(-std::abs(a.speed - b.speed) / params_.speed_scale);
   const double kinematic = params_.position_weight * near + params_.speed_weight * alike;
   const double standing = params_.standing_share * params_.speed_scale;
-  if (params_.rule == AssociationRule::one_to_one && std::min(a.speed, b.speed) < standing)
+  if (repaired && std::min(a.speed, b.speed) < standing)
     return kinematic / (params_.position_weight + params_.speed_weight);
   const double turn = std::abs(core::wrap_to_pi(a.heading - b.heading));
   return kinematic + params_.heading_weight * std::exp(-turn / params_.heading_scale);  // Eq. (12)

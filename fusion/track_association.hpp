@@ -9,7 +9,8 @@
 namespace lookout::fusion {
 
 /// `max`: as printed, every tracklet goes to its most alike global track. `one_to_one`: the repaired rule,
-/// with a threshold, at most one tracklet of a node per global track, and no heading from standing targets.
+/// with a threshold, at most one tracklet of a node per global track, a gate, and no heading from standing
+/// targets.
 enum class AssociationRule { max, one_to_one };
 
 struct AssociationParams {
@@ -21,8 +22,10 @@ struct AssociationParams {
   double speed_weight = 0.35;     ///< >= 0. The same.
   double heading_weight = 0.10;   ///< >= 0. The same; the three sum to 1.
   double threshold = 0.35;        ///< Least membership, in [0, 1). t2gt 2 (a).
-  double kept_bonus = 0.15;  ///< Added to the membership of a pair that was associated the last time, >= 0:
-                             ///< keeps numbers where targets meet; `one_to_one` only. Own choice.
+  double position_gate = 3.0;  ///< Farther apart than so many position scales two tracks are never one, > 0;
+                               ///< `one_to_one` only: a sum lets far targets of one course pass. Own choice.
+  double kept_bonus = 0.15;    ///< Added to the membership of a pair that was associated the last time, >= 0:
+                               ///< keeps numbers where targets meet; `one_to_one` only. Own choice.
   double standing_share = 0.05;  ///< Below this share of speed_scale a target stands, >= 0. t2gt 2 (c).
 };
 
@@ -32,8 +35,9 @@ class TrackAssociation {
   /// @throws std::invalid_argument on a parameter out of range.
   explicit TrackAssociation(const AssociationParams& params);
 
-  /// Membership in [0, 1] of one state in another, (north, east, north velocity, east velocity), SI.
-  /// [Li2018] Eq. (8)-(12), with the lost velocity dots, atan2 and a wrapped heading difference.
+  /// Membership in [0, 1] of one state in another, (north, east, north velocity, east velocity), SI; 0
+  /// outside the gate. [Li2018] Eq. (8)-(12), with the lost velocity dots, atan2 and a wrapped heading
+  /// difference.
   double membership(const Eigen::Vector4d& a, const Eigen::Vector4d& b) const;
 
   /// The global track of each tracklet of one node, or -1. Valid until the next call.

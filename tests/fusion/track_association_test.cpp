@@ -49,6 +49,14 @@ TEST(TrackAssociation, RepairedRuleIsOneToOneAndRefusesTheAlien) {
   EXPECT_EQ(association.associate(tracklets, globals, {}), (std::vector<int>{0, 1, -1}));
 }
 
+TEST(TrackAssociation, FarTargetsOfOneCourseAreTwo) {
+  // 100 m apart at one velocity: 0.35 + 0.10 from speed and heading alone passes the threshold of 0.35.
+  TrackAssociation as_printed(printed()), repaired(AssociationParams{});
+  const States globals{{0, 0, 2, 0}}, tracklets{{100, 0, 2, 0}};
+  EXPECT_NEAR(as_printed.membership(tracklets[0], globals[0]), 0.45, 1e-6);
+  EXPECT_EQ(repaired.associate(tracklets, globals, {}), std::vector<int>{-1});
+}
+
 TEST(TrackAssociation, StandingTargetsHaveNoHeading) {
   const TrackAssociation association(AssociationParams{});
   // Two speeds of 0.02 m/s on opposite courses: noise, not a turn. Below 5 % of 1 m/s the term is dropped.
