@@ -6,6 +6,7 @@ namespace lookout::fusion {
 namespace {
 
 constexpr double kMetresPerKilometre = 1000.0;
+constexpr double kBurst = 0.5;  // An idle link saves up half a second's worth [s].
 
 void read_support(const core::YamlMap& map, SupportDegreeParams& params) {
   const std::string reading = map.choice("support", "any", {"any", "col", "all"});
@@ -27,11 +28,19 @@ void read_association(const core::YamlMap& map, AssociationParams& params) {
   params.threshold = map.number("threshold", params.threshold, core::Range{0.0, 0.99});
 }
 
+void read_link(const core::YamlMap& map, tracking::LocalEstimateSenderParams& params) {
+  params.with_covariance = map.flag("send_covariance", params.with_covariance);
+  params.bytes_per_second = map.number("bytes_per_second", params.bytes_per_second, core::kPositive);
+  const double message = tracking::message_bytes(params.with_covariance);
+  params.burst_bytes = std::max(message, kBurst * params.bytes_per_second);
+}
+
 }  // namespace
 
 void read_fusion_params(const core::YamlMap& map, FusionParams& params) {
   read_support(map, params.support_degree);
   read_association(map, params.association);
+  read_link(map, params.link);
   params.method = map.choice("method", params.method, fusion_method_names());
   params.learned.range_sigma = map.number("range_sigma", params.learned.range_sigma, core::kPositive);
   params.learned.bearing_sigma = core::radians(

@@ -12,6 +12,7 @@
 #include "fusion/local_track_store.hpp"
 #include "fusion/support_degree_fusion.hpp"
 #include "fusion/track_association.hpp"
+#include "tracking/local_estimate_sender.hpp"
 
 namespace lookout::core {
 class YamlMap;
@@ -30,6 +31,7 @@ struct FusionParams {
   LearnedGeometryParams learned;
   KalmanModel kalman;
   GlobalTracksParams global;
+  tracking::LocalEstimateSenderParams link;  ///< Of each node, for `lookout track --publish-estimates`.
 };
 
 /// Overrides `params` with the keys of the `fusion:` part of a configuration, and calls map.finish().

@@ -23,6 +23,7 @@ void read_configuration(const core::YamlMap& map, Configuration& configuration) 
   if (const auto part = map.map("initiator")) tracking::read_initiator_config(*part, configuration.initiator);
   if (const auto part = map.map("output")) tracking::read_output_params(*part, configuration.tracker);
   if (const auto part = map.map("tbd")) tracking::read_tbd_params(*part, configuration.tbd);
+  if (const auto part = map.map("fusion")) fusion::read_fusion_params(*part, configuration.fusion);
   map.finish();
 }
 

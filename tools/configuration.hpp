@@ -2,6 +2,7 @@
 
 #include "core/sonar_params.hpp"
 #include "csht/estimator_registry.hpp"
+#include "fusion/fusion_params.hpp"
 #include "tools/options.hpp"
 #include "tracking/track_before_detect/frame_tracker_registry.hpp"
 #include "tracking/tracker_registry.hpp"
@@ -16,6 +17,7 @@ struct Configuration {
   tracking::TbdParams tbd;
   tracking::InitiatorConfig initiator;
   bool explain = false;  ///< Log every track decision.
+  fusion::FusionParams fusion;
 };
 
 /// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.

@@ -78,6 +78,12 @@ void declare_track(CLI::App& app, Options& options) {
   add_live(app, options);
 }
 
+void declare_fuse(CLI::App& app, Options& options) {
+  app.add_option("--method", options.method, "Fusion method (default: the configuration's, else learned)");
+  app.add_option("--config", options.config, "Configuration YAML");
+  add_live(app, options);
+}
+
 void declare_score(CLI::App& app, Options& options) {
   app.add_option("--tracks", options.tracks_channel, "Channel to score (default: TRACKS with the prefix)");
   add_scoring(app, options);
@@ -150,6 +156,8 @@ constexpr Command kCommands[] = {
      "lookout sim tools/scenarios/tracking_table7.yaml --wait-for 1", declare_sim, sim_command},
     {"track", "The on-vehicle process: scans in, tracks out, over LCM.", "lookout track --node-id 1",
      declare_track, track_command},
+    {"fuse", "Joins the estimates of several vehicles: LOCAL_ESTIMATE in, GLOBAL_TRACKS out, over LCM.",
+     "lookout fuse --method learned", declare_fuse, fuse_command},
     {"score", "Scores TRACKS against GROUND_TRUTH live over LCM; prints the mean at its end.",
      "lookout score --truth visible", declare_score, score_command},
     {"replay", "Tracks a recording or an LCM log again, the same tracks every time.",

@@ -9,6 +9,15 @@ namespace lookout::tracking {
 
 using Clock = lcmtypes::NodeLoop::Clock;
 
+namespace {
+
+LocalEstimateSenderParams with_node_id(LocalEstimateSenderParams link, std::int32_t node_id) {
+  link.node_id = node_id;
+  return link;
+}
+
+}  // namespace
+
 TrackerNode::TrackerNode(lcmtypes::Bus& bus, const TrackerNodeParams& params,
                          TrackingChain::MakeTracker make_tracker, Report report)
     : bus_(bus),
@@ -19,7 +28,8 @@ TrackerNode::TrackerNode(lcmtypes::Bus& bus, const TrackerNodeParams& params,
       chain_(
           params.sensor, std::move(make_tracker),
           [this](const auto& scan, auto tracks, const Tracker& tracker) { publish(scan, tracks, tracker); },
-          [this](const std::string& line) { note(line); }) {
+          [this](const std::string& line) { note(line); }),
+      sender_(with_node_id(params.link, params.node_id)) {
   if (params.node_id < 1)
     throw core::InputError("--node-id: got " + std::to_string(params.node_id) + ", expected 1 or more");
   bus_.subscribe<vehicle_state_t>(channels_.vehicle_state(),
@@ -57,18 +67,9 @@ void TrackerNode::publish(const core::PosedScan& scan, std::span<const core::Tra
 }
 
 void TrackerNode::publish_estimates(const core::PosedScan& scan, std::span<const core::Track> tracks) {
-  for (const auto& track : tracks) {
-    if (track.status != core::TrackStatus::confirmed) continue;
-    core::LocalEstimate estimate;
-    estimate.utime = scan.scan.utime;
-    estimate.sequence = scan.scan.sequence;
-    estimate.node_id = params_.node_id;
-    estimate.p_earth_node = {scan.T_earth_sonar.north, scan.T_earth_sonar.east};
-    estimate.track_id = track.id;
-    estimate.state = track.state;
-    estimate.covariance = track.covariance;
+  const Eigen::Vector2d p_earth_sonar(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
+  for (const auto& estimate : sender_.select({scan.scan.utime, scan.scan.sequence, p_earth_sonar}, tracks))
     bus_.publish(lcmtypes::Channels::kLocalEstimate, lcmtypes::to_wire(estimate));
-  }
 }
 
 void TrackerNode::note(const std::string& line) {

@@ -9,6 +9,7 @@
 #include "lcmtypes/channels.hpp"
 #include "lcmtypes/node_loop.hpp"
 #include "lcmtypes/status_board.hpp"
+#include "tracking/local_estimate_sender.hpp"
 #include "tracking/tracking_chain.hpp"
 
 namespace lookout::tracking {
@@ -20,6 +21,7 @@ struct TrackerNodeParams {
   core::EstimatorMethod method = core::EstimatorMethod::csht;  ///< Named in MOTION_ELEMENTS.
   int window_scans = 20;                                       ///< Likewise.
   bool publish_estimates = false;                              ///< Also LOCAL_ESTIMATE.
+  LocalEstimateSenderParams link;                              ///< What carries them; with our node_id.
 };
 
 /// The on-vehicle process: VEHICLE_STATE and SONAR_SCAN in; MOTION_ELEMENTS, TRACKS and, where the tracker
@@ -36,6 +38,7 @@ class TrackerNode {
   /// Works until a limit is reached; then rejects what still waits and publishes a last status.
   void run(const lcmtypes::LoopLimits& limits);
 
+  const LocalEstimateSender& link() const { return sender_; }
   lcmtypes::NodeFigures figures() const;
   const IntakeCounts& counts() const { return chain_.counts(); }
   double latency(double share) const { return status_.latency(share); }  ///< Percentile [ms].
@@ -55,6 +58,7 @@ class TrackerNode {
   std::string last_error_;
   lcmtypes::StatusBoard status_;
   TrackingChain chain_;
+  LocalEstimateSender sender_;
   lcmtypes::NodeLoop::Clock::time_point arrival_;  ///< Of the message that is being handled.
   std::int64_t left_out_ = 0;                      ///< Tracks and elements above what a message holds.
 };

@@ -9,6 +9,7 @@ namespace lookout::tools {
 int run_command(const Options& options);
 int sim_command(const Options& options);
 int track_command(const Options& options);
+int fuse_command(const Options& options);
 int score_command(const Options& options);
 int replay_command(const Options& options);
 int ospa_command(const Options& options);

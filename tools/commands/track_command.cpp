@@ -36,6 +36,7 @@ int track_command(const Options& options) {
   params.method = core::estimator_method(configuration.estimator.name).value_or(params.method);
   params.window_scans = configuration.estimator.window_scans;
   params.publish_estimates = options.publish_estimates;
+  params.link = configuration.fusion.link;
   lcmtypes::Bus bus(options.lcm_url);
   if (tracks_images(configuration)) {
     tracking::ImageTrackerNode node(bus, params, warn);
@@ -44,7 +45,13 @@ int track_command(const Options& options) {
   }
   tracking::TrackerNode node(bus, params, tracker_maker(configuration, options.seed), warn);
   log_info("track: tracker " + configuration.tracker.name + ", seed " + std::to_string(options.seed));
-  return work(node, limits);
+  work(node, limits);
+  if (options.publish_estimates)
+    log_info("track: link: " + std::to_string(node.link().messages_sent()) + " estimates, " +
+             std::to_string(node.link().bytes_sent()) + " bytes, at most " +
+             std::to_string(node.link().most_bytes_in_a_second()) +
+             " in any second, longest wait of a track " + core::shortest(node.link().longest_wait()) + " s");
+  return 0;
 }
 
 }  // namespace lookout::tools

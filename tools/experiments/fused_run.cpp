@@ -27,7 +27,7 @@ class Vehicle {
   std::size_t num_scans() const { return scans_.size(); }
   const TimedScan& scan(std::size_t k) const { return scans_[k]; }
   std::int32_t node_id() const { return node_id_; }
-  const fusion::LocalEstimateSender& sender() const { return sender_; }
+  const tracking::LocalEstimateSender& sender() const { return sender_; }
 
   /// Tracks scan `k`; nothing while the vehicle is dead.
   std::vector<core::Track> track(std::size_t k) {
@@ -56,8 +56,8 @@ class Vehicle {
     return sonar;
   }
 
-  static fusion::LocalEstimateSenderParams link_of(const FusedRunParams& params, std::int32_t node_id) {
-    fusion::LocalEstimateSenderParams link = params.link;
+  static tracking::LocalEstimateSenderParams link_of(const FusedRunParams& params, std::int32_t node_id) {
+    tracking::LocalEstimateSenderParams link = params.link;
     link.node_id = node_id;
     return link;
   }
@@ -69,7 +69,7 @@ class Vehicle {
   std::int32_t node_id_;
   Outage outage_;
   std::unique_ptr<tracking::Tracker> tracker_;
-  fusion::LocalEstimateSender sender_;
+  tracking::LocalEstimateSender sender_;
 };
 
 std::vector<Vehicle> make_vehicles(const sonar_sim::Scene& scene, const FusedRunParams& params,

@@ -7,8 +7,8 @@
 #include "core/ground_truth.hpp"
 #include "core/track.hpp"
 #include "fusion/fusion.hpp"
-#include "fusion/local_estimate_sender.hpp"
 #include "sonar_sim/scene.hpp"
+#include "tracking/local_estimate_sender.hpp"
 
 namespace lookout::tools {
 
@@ -23,7 +23,7 @@ struct Outage {
 struct FusedRunParams {
   std::string tracker = "joint";
   fusion::FusionParams fusion;
-  fusion::LocalEstimateSenderParams link;  ///< Of each node, with its own id.
+  tracking::LocalEstimateSenderParams link;  ///< Of each node, with its own id.
   Outage outage;
 };
 

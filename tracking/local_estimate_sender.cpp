@@ -1,13 +1,15 @@
-#include "fusion/local_estimate_sender.hpp"
+#include "tracking/local_estimate_sender.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <tuple>
 
+#include "core/csv.hpp"
 #include "core/frames.hpp"
-#include "fusion/parameter_check.hpp"
 
-namespace lookout::fusion {
+namespace lookout::tracking {
 namespace {
 
 // LCM's small message: magic and sequence number, the channel's name with its end, then the payload: the
@@ -26,9 +28,12 @@ int message_bytes(bool with_covariance) {
 
 LocalEstimateSender::LocalEstimateSender(const LocalEstimateSenderParams& params)
     : params_(params), message_bytes_(message_bytes(params.with_covariance)), tokens_(params.burst_bytes) {
-  require_positive("bytes_per_second", params.bytes_per_second);
-  require("burst_bytes", params.burst_bytes, params.burst_bytes >= message_bytes_,
-          ">= one message of " + std::to_string(message_bytes_) + " bytes");
+  if (!(params.bytes_per_second > 0.0))
+    throw std::invalid_argument("bytes_per_second must be > 0, got " +
+                                core::shortest(params.bytes_per_second));
+  if (!(params.burst_bytes >= message_bytes_))
+    throw std::invalid_argument("burst_bytes must be >= one message of " + std::to_string(message_bytes_) +
+                                " bytes, got " + core::shortest(params.burst_bytes));
 }
 
 void LocalEstimateSender::fill_bucket(std::int64_t utime) {
@@ -82,4 +87,4 @@ void LocalEstimateSender::send(const Scan& scan, const core::Track& track) {
       std::max(most_bytes_in_a_second_, static_cast<std::int64_t>(newest_second_.size()) * message_bytes_);
 }
 
-}  // namespace lookout::fusion
+}  // namespace lookout::tracking

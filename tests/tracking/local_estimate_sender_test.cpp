@@ -1,4 +1,4 @@
-#include "fusion/local_estimate_sender.hpp"
+#include "tracking/local_estimate_sender.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "core/frames.hpp"
 
-namespace lookout::fusion {
+namespace lookout::tracking {
 namespace {
 
 std::vector<core::Track> tracks(int number) {
@@ -89,4 +89,4 @@ TEST(LocalEstimateSender, RefusesABucketSmallerThanAMessage) {
 }
 
 }  // namespace
-}  // namespace lookout::fusion
+}  // namespace lookout::tracking

@@ -6,10 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "core/local_estimate.hpp"
 #include "core/track.hpp"
-#include "fusion/local_estimate.hpp"
 
-namespace lookout::fusion {
+namespace lookout::tracking {
 
 struct LocalEstimateSenderParams {
   std::int32_t node_id = 1;
@@ -64,4 +64,4 @@ class LocalEstimateSender {
   double longest_wait_ = 0.0;
 };
 
-}  // namespace lookout::fusion
+}  // namespace lookout::tracking

@@ -1,0 +1,67 @@
+#include "fusion/fusion_node.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/fusion/test_nodes.hpp"
+
+namespace lookout::fusion {
+namespace {
+
+using testing::estimate;
+
+/// A node, and what comes out of it, on a bus in memory.
+class OnOneBus : public ::testing::Test {
+ protected:
+  OnOneBus() {
+    bus.subscribe<track_list_t>(lcmtypes::Channels::kGlobalTracks, [this](lcmtypes::KeyedTracks tracks) {
+      pictures.push_back(std::move(tracks));
+    });
+  }
+
+  void send(std::int32_t node_id, double time) {
+    bus.publish(lcmtypes::Channels::kLocalEstimate,
+                lcmtypes::to_wire(estimate(node_id, 1, time, {2.0 * time, 0, 2, 0})));
+  }
+
+  void run() {
+    lcmtypes::LoopLimits limits;
+    limits.duration = 0.2;
+    node.run(limits);
+    bus.drain();
+  }
+
+  lcmtypes::Bus bus{"memq://"};
+  FusionNode node{bus, {}};
+  std::vector<lcmtypes::KeyedTracks> pictures;
+};
+
+TEST_F(OnOneBus, OnePictureForEachTimeWithBothNodesInIt) {
+  for (int k = 0; k < 6; ++k) {
+    send(1, 0.5 * k);
+    send(2, 0.5 * k);
+  }
+  run();
+  ASSERT_EQ(pictures.size(), 6u);
+  EXPECT_EQ(pictures.back().key.utime, core::microseconds(2.5));
+  EXPECT_EQ(pictures.back().key.sequence, 5);
+  ASSERT_EQ(pictures.back().tracks.size(), 1u);
+  EXPECT_NEAR(pictures.back().tracks[0].state(0), 5.0, 1e-6);
+  EXPECT_NEAR(pictures.back().tracks[0].existence, 0.99, 1e-9);  // Both nodes: 1 - 0.1^2.
+}
+
+TEST_F(OnOneBus, DamagedMessagesAreCountedAndHarmless) {
+  send(1, 0.0);
+  local_estimate_t bad{};
+  bad.num_covariance = 3;
+  bad.covariance.resize(3);
+  bus.publish(lcmtypes::Channels::kLocalEstimate, bad);
+  bus.publish(lcmtypes::Channels::kLocalEstimate, track_list_t{});
+  send(1, 0.5);
+  send(1, 0.5);
+  run();
+  EXPECT_EQ(node.fusion().count(Intake::accepted), 2);
+  EXPECT_EQ(node.refused(), 3);
+}
+
+}  // namespace
+}  // namespace lookout::fusion
