@@ -77,12 +77,15 @@ void TrackAssociation::take_largest() {
 void TrackAssociation::take_one_to_one(std::span<const int> before) {
   // A pair below the threshold is worth nothing, so that it never displaces a good one.
   const double limit = 1.0 - params_.threshold;
-  const auto allowed = (cost_.array() <= limit).eval();
-  cost_ = allowed.select(cost_, 1.0);
+  Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> allowed = cost_.array() <= limit;
   for (std::size_t i = 0; i < before.size(); ++i) {
-    if (before[i] >= 0 && allowed(static_cast<Eigen::Index>(i), before[i]))
-      cost_(static_cast<Eigen::Index>(i), before[i]) -= params_.kept_bonus;
+    const auto row = static_cast<Eigen::Index>(i);
+    if (before[i] < 0 || cost_(row, before[i]) >= 1.0) continue;
+    // Within the gate a node's own track is trusted to be the same: after a long wait it may have jumped.
+    allowed(row, before[i]) = true;
+    cost_(row, before[i]) -= params_.kept_bonus;
   }
+  cost_ = allowed.select(cost_, 1.0);
   const std::vector<int>& column_of_row = solver_.solve(cost_);
   for (Eigen::Index i = 0; i < cost_.rows(); ++i) {
     const int column = column_of_row[static_cast<std::size_t>(i)];

@@ -25,7 +25,8 @@ struct AssociationParams {
   double position_gate = 3.0;  ///< Farther apart than so many position scales two tracks are never one, > 0;
                                ///< `one_to_one` only: a sum lets far targets of one course pass. Own choice.
   double kept_bonus = 0.15;    ///< Added to the membership of a pair that was associated the last time, >= 0:
-                               ///< keeps numbers where targets meet; `one_to_one` only. Own choice.
+                               ///< keeps numbers where targets meet. Such a pair
+                               ///< needs the gate alone, not the threshold; `one_to_one` only. Own choice.
   double standing_share = 0.05;  ///< Below this share of speed_scale a target stands, >= 0. t2gt 2 (c).
 };
 

@@ -71,6 +71,16 @@ TEST(TrackAssociation, KeepsAPairWhereTargetsMeet) {
   EXPECT_EQ(association.associate(tracklets, globals, before), (std::vector<int>{0, 1}));
 }
 
+TEST(TrackAssociation, AKeptPairNeedsTheGateAlone) {
+  TrackAssociation association(AssociationParams{});
+  // 7 m and 1.5 m/s off after a long wait: 0.55 e^-1.4 + 0.35 e^-1.5 + 0.1 = 0.31, short of 0.35.
+  const States globals{{7, 0, 2.2, 0}}, tracklets{{0, 0, 0.7, 0}}, far{{20, 0, 2.2, 0}};
+  const std::vector<int> before{0};
+  EXPECT_EQ(association.associate(tracklets, globals, {}), std::vector<int>{-1});
+  EXPECT_EQ(association.associate(tracklets, globals, before), std::vector<int>{0});
+  EXPECT_EQ(association.associate(tracklets, far, before), std::vector<int>{-1});
+}
+
 TEST(TrackAssociation, NothingToAssociate) {
   TrackAssociation association(AssociationParams{});
   EXPECT_TRUE(association.associate({}, States{{0, 0, 1, 0}}, {}).empty());
