@@ -19,7 +19,7 @@ struct CellMeasurementParams {
   int gate_columns = 17;             ///< Cells of the gate along columns, odd, >= 1.
   int gate_rows = 13;                ///< Along rows, odd, >= 1.
   int iterations = 3;                ///< EM iterations per frame, >= 1.
-  double threshold = 1.8;            ///< Cells at or below are dark [background level], >= 0.
+  double threshold = 1.9;            ///< Cells at or below are dark [background level], >= 0.
   double intensity_memory = 0.5;     ///< Share of the old intensity in the smoothed one, in [0, 1).
   double min_intensity = 0.5;        ///< Below it a frame measures nothing [background level], > 0.
   /// Variance of the measured centroid over sigma^2 / intensity, > 0: the cells' noise is not Poisson.
