@@ -20,6 +20,11 @@ lcm-logger --quiet --lcm-url="$url" "$folder/log" > "$folder/logger.txt" 2>&1 &
 logger=$!
 "$lookout" score --lcm-url "$url" > "$folder/score.txt" 2>&1 &
 scorer=$!
+# The simulator starts when it hears the tracker: logger and scorer must be up before that.
+for _ in $(seq 100); do
+  grep -q 'lookout score' "$folder/log" 2> /dev/null && break
+  sleep 0.2
+done
 "$lookout" track --tracker gnn --seed 1003 --lcm-url "$url" > "$folder/track.txt" 2>&1 &
 tracker=$!
 "$lookout" sim "$scenario" --seed 1003 --wait-for 1 --speed "$speed" --lcm-url "$url" --duration 120 \
