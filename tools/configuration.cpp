@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "core/csv.hpp"
 #include "core/input_error.hpp"
 #include "core/yaml_reader.hpp"
+#include "tracking/tracking_chain.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -38,6 +40,14 @@ void apply_name(const std::string& flag, const std::string& given, const std::ve
   name = given;
 }
 
+/// --lag in microseconds.
+std::int64_t lag_of(const Options& options) {
+  const double lag = options.lag.value_or(0.0);
+  if (!(lag >= 0.0 && lag <= core::seconds(tracking::ChainParams::kMaxLag)))
+    throw core::InputError("--lag: got " + core::shortest(lag) + ", expected 0 to 60 s");
+  return core::microseconds(lag);
+}
+
 }  // namespace
 
 Configuration load_configuration(const Options& options) {
@@ -50,6 +60,7 @@ Configuration load_configuration(const Options& options) {
   apply_name("--estimator", options.estimator, estimators, configuration.estimator.name);
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
   configuration.explain = options.explain;
+  configuration.lag = lag_of(options);
   if (configuration.estimator.name.empty())
     configuration.estimator.name = default_estimator(configuration.tracker.name);
   configuration.tracker.births = configuration.initiator;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/sonar_params.hpp"
 #include "csht/estimator_registry.hpp"
 #include "fusion/fusion_params.hpp"
@@ -17,6 +19,7 @@ struct Configuration {
   tracking::TbdParams tbd;
   tracking::InitiatorConfig initiator;
   bool explain = false;  ///< Log every track decision.
+  std::int64_t lag = 0;  ///< Delay of the output [us], in [0, tracking::ChainParams::kMaxLag].
   fusion::FusionParams fusion;
 };
 

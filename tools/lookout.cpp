@@ -37,6 +37,7 @@ void add_tracking(CLI::App& app, Options& options) {
   app.add_option("--config", options.config, "Configuration YAML");
   app.add_option("--estimator", options.estimator, "Estimator by name");
   app.add_option("--tracker", options.tracker, "Tracker by name");
+  app.add_option("--lag", options.lag, "Delayed output: tracks as they are known so much later [s]");
   app.add_flag("--explain", options.explain, "One line a track decision on stderr");
 }
 

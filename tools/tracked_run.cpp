@@ -44,6 +44,7 @@ void write_summary(const std::string& path, const TrackedRun& run, const Configu
                               {"tracker", configuration.tracker.name},
                               {"estimator", configuration.estimator.name},
                               {"scans", run.recording.scans.size()},
+                              {"lag_s", core::seconds(configuration.lag)},
                               {"tracked_scans", run.output.tracks.size()},
                               {"rejected_scans", run.counts.rejected()},
                               {"truth", options.truth},

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "core/input_error.hpp"
 #include "tools/log.hpp"
 #include "tracking/estimating_tracker.hpp"
 
@@ -26,6 +27,9 @@ tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configur
     const csht::EstimatorParams& estimator = configuration.estimator;
     auto tracker =
         tracking::make_tracker(configuration.tracker.name, configuration.tracker, sensor, estimator, seed);
+    if (configuration.lag > 0 && !tracker->can_retrodict())
+      throw core::InputError("--lag: tracker " + configuration.tracker.name +
+                             " has no delayed output, expected 0");
     if (configuration.explain) tracker->explain_to(&log_decision);
     if (tracker->has_estimator()) return tracker;
     return std::make_unique<tracking::EstimatingTracker>(
@@ -36,13 +40,13 @@ tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configur
 RecordedChain::RecordedChain(const Configuration& configuration, std::uint64_t seed)
     : chain_(
           configuration.sensor, tracker_maker(configuration, seed),
-          [this](const core::PosedScan& scan, std::span<const core::Track> tracks,
-                 const tracking::Tracker& tracker) {
-            const auto elements = tracker.elements();
-            output_.tracks.push_back({scan.scan.utime, {tracks.begin(), tracks.end()}});
-            output_.elements.push_back({scan.scan.utime, {elements.begin(), elements.end()}});
+          [this](const tracking::ScanResult& result) {
+            const std::int64_t utime = result.scan.scan.utime;
+            output_.tracks.push_back({utime, {result.tracks.begin(), result.tracks.end()}});
+            output_.elements.push_back({utime, {result.elements.begin(), result.elements.end()}});
           },
-          [](const std::string& line) { log_warning(line); }) {}
+          [](const std::string& line) { log_warning(line); },
+          tracking::ChainParams{.lag = configuration.lag, .intake = {}}) {}
 
 RecordedImageChain::RecordedImageChain(const Configuration& configuration)
     : chain_(

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <span>
+#include <utility>
 
 #include "csht/motion_estimator.hpp"
 #include "tracking/tracker.hpp"
@@ -18,6 +19,9 @@ class EstimatingTracker : public Tracker {
   std::span<const core::Track> update(const core::PosedScan& scan) override;
   std::span<const core::MotionElement> elements() const override { return elements_; }
   std::optional<core::SensorEstimate> sensor_estimate() const override { return tracker_->sensor_estimate(); }
+  void explain_to(DecisionLog log) override { tracker_->explain_to(std::move(log)); }
+  bool can_retrodict() const override { return tracker_->can_retrodict(); }
+  std::span<const core::Track> retrodict(std::int64_t utime) override { return tracker_->retrodict(utime); }
 
  private:
   std::unique_ptr<Tracker> tracker_;

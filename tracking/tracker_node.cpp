@@ -26,9 +26,8 @@ TrackerNode::TrackerNode(lcmtypes::Bus& bus, const TrackerNodeParams& params,
       report_(std::move(report)),
       status_(bus, channels_.status(), "lookout track", params.node_id),
       chain_(
-          params.sensor, std::move(make_tracker),
-          [this](const auto& scan, auto tracks, const Tracker& tracker) { publish(scan, tracks, tracker); },
-          [this](const std::string& line) { note(line); }),
+          params.sensor, std::move(make_tracker), [this](const ScanResult& result) { publish(result); },
+          [this](const std::string& line) { note(line); }, ChainParams{.lag = params.lag, .intake = {}}),
       sender_(with_node_id(params.link, params.node_id)) {
   if (params.node_id < 1)
     throw core::InputError("--node-id: got " + std::to_string(params.node_id) + ", expected 1 or more");
@@ -51,15 +50,15 @@ void TrackerNode::take(Data data) {
   chain_.add(std::move(data));
 }
 
-void TrackerNode::publish(const core::PosedScan& scan, std::span<const core::Track> tracks,
-                          const Tracker& tracker) {
-  const lcmtypes::ScanKey key{scan.scan.utime, scan.scan.sequence, scan.scan.sensor_id};
-  const auto elements = lcmtypes::to_wire(key, params_.method, params_.window_scans, tracker.elements());
-  const auto list = lcmtypes::to_wire(key, tracks);
+void TrackerNode::publish(const ScanResult& result) {
+  const core::SonarScan& scan = result.scan.scan;
+  const lcmtypes::ScanKey key{scan.utime, scan.sequence, scan.sensor_id};
+  const auto elements = lcmtypes::to_wire(key, params_.method, params_.window_scans, result.elements);
+  const auto list = lcmtypes::to_wire(key, result.tracks);
   bus_.publish(channels_.motion_elements(), elements.message);
-  if (const auto estimate = tracker.sensor_estimate())
-    bus_.publish(channels_.sensor_estimate(), lcmtypes::to_wire(key, *estimate));
-  if (params_.publish_estimates) publish_estimates(scan, tracks);
+  if (result.sensor_estimate)
+    bus_.publish(channels_.sensor_estimate(), lcmtypes::to_wire(key, *result.sensor_estimate));
+  if (params_.publish_estimates) publish_estimates(result.scan, result.tracks);
   // Last: who waits for the tracks of a scan may rely on the rest being out.
   bus_.publish(channels_.tracks(), list.message);
   left_out_ += static_cast<std::int64_t>(elements.left_out + list.left_out);

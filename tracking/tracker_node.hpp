@@ -21,7 +21,8 @@ struct TrackerNodeParams {
   core::EstimatorMethod method = core::EstimatorMethod::csht;  ///< Named in MOTION_ELEMENTS.
   int window_scans = 20;                                       ///< Likewise.
   bool publish_estimates = false;                              ///< Also LOCAL_ESTIMATE.
-  LocalEstimateSenderParams link;                              ///< What carries them; with our node_id.
+  std::int64_t lag = 0;            ///< Delay of the output [us]: tracks as they are known so much later.
+  LocalEstimateSenderParams link;  ///< What carries them; with our node_id.
 };
 
 /// The on-vehicle process: VEHICLE_STATE and SONAR_SCAN in; MOTION_ELEMENTS, TRACKS and, where the tracker
@@ -44,7 +45,7 @@ class TrackerNode {
   double latency(double share) const { return status_.latency(share); }  ///< Percentile [ms].
 
  private:
-  void publish(const core::PosedScan& scan, std::span<const core::Track> tracks, const Tracker& tracker);
+  void publish(const ScanResult& result);
   void publish_estimates(const core::PosedScan& scan, std::span<const core::Track> tracks);
   template <class Data>
   void take(Data data);

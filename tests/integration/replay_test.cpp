@@ -41,6 +41,17 @@ TEST_F(ReplayTest, LogRecordingAndRunGiveTheSameTracksToTheByte) {
   EXPECT_EQ(tracks("a"), tracks("run"));
 }
 
+TEST_F(ReplayTest, DelayedTracksOfLogAndRunAreEqualAndOtherThanOnline) {
+  const std::string joint = " --tracker joint --seed 1002 --out ";
+  ASSERT_EQ(run_lookout("run " + kScene + " --lag 5" + joint + directory_.file("run")).status, 0);
+  ASSERT_EQ(run_lookout("replay " + log_ + " --lag 5" + joint + directory_.file("a")).status, 0);
+  ASSERT_EQ(run_lookout("replay " + log_ + joint + directory_.file("online")).status, 0);
+  EXPECT_GT(tracks("a").size(), 1000u);
+  EXPECT_EQ(tracks("a"), tracks("run"));
+  EXPECT_NE(tracks("a"), tracks("online"));
+  EXPECT_EQ(run_lookout("replay " + log_ + kTracker + "--lag 5 --out " + directory_.file("b")).status, 2);
+}
+
 TEST_F(ReplayTest, ALogThatIsCutOffGivesTheTracksUpToThereAndSaysSo) {
   ASSERT_EQ(replay(log_, "whole").status, 0);
   std::filesystem::resize_file(log_, std::filesystem::file_size(log_) / 2 + 13);

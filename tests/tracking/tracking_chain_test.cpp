@@ -2,17 +2,25 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 namespace lookout::tracking {
 namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
 constexpr std::int64_t kHour = 3600 * kSecond;
 
-/// Reports one track whose id counts the scans since the tracker was made.
+/// Reports one track whose id counts the scans since the tracker was made; in retrospect, one whose state is
+/// the time that was asked for, in seconds, and whose id is still the count by now.
 class CountingTracker final : public Tracker {
  public:
   std::span<const core::Track> update(const core::PosedScan&) override {
     ++track_.id;
+    return {&track_, 1};
+  }
+  bool can_retrodict() const override { return true; }
+  std::span<const core::Track> retrodict(std::int64_t utime) override {
+    track_.state[0] = core::seconds(utime);
     return {&track_, 1};
   }
 
@@ -20,15 +28,30 @@ class CountingTracker final : public Tracker {
   core::Track track_;
 };
 
-TEST(TrackingChain, GivesTracksForEachScanAndANewTrackerToANewClock) {
-  std::vector<std::int64_t> ids;
-  TrackingChain chain(
-      core::SonarParams(), [](const core::SonarParams&) { return std::make_unique<CountingTracker>(); },
-      [&](const core::PosedScan&, std::span<const core::Track> tracks, const Tracker&) {
-        ids.push_back(tracks[0].id);
-      },
-      [](const std::string&) {});
-  const auto feed = [&chain](std::int64_t utime) {
+class ForgetfulTracker final : public Tracker {
+ public:
+  std::span<const core::Track> update(const core::PosedScan&) override { return {}; }
+};
+
+/// What came out of a chain: the time of the scan, the track's id and its first coordinate.
+struct Given {
+  std::int64_t utime;
+  std::int64_t id;
+  double state;
+  bool operator==(const Given&) const = default;
+};
+
+class TrackingChainTest : public ::testing::Test {
+ protected:
+  std::unique_ptr<TrackingChain> chain(std::int64_t lag) {
+    return std::make_unique<TrackingChain>(
+        core::SonarParams(), [](const core::SonarParams&) { return std::make_unique<CountingTracker>(); },
+        [this](const ScanResult& result) {
+          given_.push_back({result.scan.scan.utime, result.tracks[0].id, result.tracks[0].state[0]});
+        },
+        [](const std::string&) {}, ChainParams{.lag = lag, .intake = {}});
+  }
+  static void feed(TrackingChain& chain, std::int64_t utime) {
     chain.add(core::VehicleState{utime, {}, {0.0, 0.0}});
     core::SonarScan scan;
     scan.utime = utime;
@@ -36,11 +59,45 @@ TEST(TrackingChain, GivesTracksForEachScanAndANewTrackerToANewClock) {
     scan.max_range = 1.0;
     scan.num_beams = 1;
     chain.add(scan);
-  };
-  for (int i = 0; i < 3; ++i) feed(kHour + i * kSecond);
-  for (int i = 0; i < 6; ++i) feed(i * kSecond);
+  }
+  std::vector<Given> given_;
+};
+
+TEST_F(TrackingChainTest, GivesTracksForEachScanAndANewTrackerToANewClock) {
+  const auto online = chain(0);
+  for (int i = 0; i < 3; ++i) feed(*online, kHour + i * kSecond);
+  for (int i = 0; i < 6; ++i) feed(*online, i * kSecond);
+  std::vector<std::int64_t> ids;
+  for (const auto& given : given_) ids.push_back(given.id);
   EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2, 3, 1, 2}));
-  EXPECT_EQ(chain.counts().resets, 1);
+  EXPECT_EQ(online->counts().resets, 1);
+}
+
+TEST_F(TrackingChainTest, WithALagGivesEachScanOnceAsItIsKnownSoMuchLater) {
+  const auto delayed = chain(2 * kSecond);
+  for (int i = 0; i < 4; ++i) feed(*delayed, i * kSecond);
+  EXPECT_EQ(given_, (std::vector<Given>{{0, 3, 0.0}, {kSecond, 4, 1.0}}));
+  delayed->finish();
+  ASSERT_EQ(given_.size(), 4u);
+  EXPECT_EQ(given_[3], (Given{3 * kSecond, 4, 3.0}));
+}
+
+TEST_F(TrackingChainTest, WithALagGivesWhatWaitsBeforeANewClock) {
+  const auto delayed = chain(2 * kSecond);
+  for (int i = 0; i < 3; ++i) feed(*delayed, kHour + i * kSecond);
+  for (int i = 0; i < 5; ++i) feed(*delayed, i * kSecond);
+  EXPECT_EQ(given_.size(), 3u);
+  EXPECT_EQ(given_.back().utime, kHour + 2 * kSecond);
+}
+
+TEST_F(TrackingChainTest, RefusesALagThatNobodyCanServe) {
+  EXPECT_THROW(chain(-1), std::invalid_argument);
+  EXPECT_THROW(chain(61 * kSecond), std::invalid_argument);
+  EXPECT_THROW(
+      TrackingChain(
+          core::SonarParams(), [](const core::SonarParams&) { return std::make_unique<ForgetfulTracker>(); },
+          [](const ScanResult&) {}, [](const std::string&) {}, ChainParams{.lag = 1, .intake = {}}),
+      std::invalid_argument);
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ int track_command(const Options& options) {
   params.method = core::estimator_method(configuration.estimator.name).value_or(params.method);
   params.window_scans = configuration.estimator.window_scans;
   params.publish_estimates = options.publish_estimates;
+  params.lag = configuration.lag;
   params.link = configuration.fusion.link;
   lcmtypes::Bus bus(options.lcm_url);
   if (tracks_images(configuration)) {
