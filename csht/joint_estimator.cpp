@@ -43,7 +43,7 @@ core::MotionElement element_of(const TargetHypothesis& target, std::int64_t init
 JointEstimatorParams JointEstimatorParams::window() {
   JointEstimatorParams params;
   params.search.prior.interior_birth_rate = 0.0;
-  params.search.prior.in_view_throughout = true;
+  params.search.prior.in_view_from_start = true;
   return params;
 }
 

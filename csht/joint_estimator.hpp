@@ -22,7 +22,8 @@ struct JointEstimatorParams {
   double memory_looks = 20.0;  ///< Looks after which older ones are forgotten, by e-folding, > 0.
   double min_existence = 0.5;  ///< Least probability of existence that is reported, in [0, 1].
 
-  /// For a window in which every target is in view throughout: no births and no entries within it.
+  /// For a window in which every target is in view from the first scan on: no births and no entries within
+  /// it.
   static JointEstimatorParams window();
 };
 

@@ -46,18 +46,18 @@ const Eigen::Vector4d kLeastVariance(1e-4, 1e-4, 1e-4, 1e-4);
 constexpr double kCooling = 0.7;     // Factor on the power of the weights per step of flattening.
 constexpr double kLeastHeat = 0.02;  // Below it the weights are as good as flat.
 
+double blend(double from, double to, int stage, int stages) {
+  return stages == 1 ? to : from + (to - from) * stage / (stages - 1);
+}
+
+}  // namespace
+
 bool in_view(const ScanTable& scan, const Eigen::Vector2d& p_earth) {
   const double dn = p_earth.x() - scan.T_earth_sonar.north, de = p_earth.y() - scan.T_earth_sonar.east;
   const double x = scan.cos_axis * dn + scan.sin_axis * de, y = scan.cos_axis * de - scan.sin_axis * dn;
   const float bearing = fast_atan2(static_cast<float>(y), static_cast<float>(x));
   return dn * dn + de * de <= scan.max_range * scan.max_range && std::abs(bearing) <= scan.half_sector;
 }
-
-double blend(double from, double to, int stage, int stages) {
-  return stages == 1 ? to : from + (to - from) * stage / (stages - 1);
-}
-
-}  // namespace
 
 JointEvidence::JointEvidence(const JointEvidenceParams& params)
     : params_(params), normal_(normal_sequence()) {
@@ -141,17 +141,17 @@ void JointEvidence::propose(const TargetHypothesis& hypothesis, int samples, cor
   }
 }
 
-// Outside the prior's support the weight is zero: too fast, or not in view when it has to be.
+// Outside the prior's support the weight is zero: too fast, or not in view when it has to be. A target that
+// has left the field since the first scan stays possible, or its echoes would be made another's.
 void JointEvidence::drop_impossible(const ScanHistory& history, int window_scans,
                                     const TrajectoryPrior& prior) {
   const int oldest = std::min(window_scans, history.size()) - 1;
   const double seconds = history.seconds_at_age(oldest), limit = prior.max_speed() * prior.max_speed();
   for (std::size_t i = 0; i < count_; ++i) {
     const Eigen::Vector2d position(north_[i], east_[i]), velocity(north_velocity_[i], east_velocity_[i]);
-    const bool possible = velocity.squaredNorm() <= limit && in_view(history.newest(), position) &&
-                          (!prior.params().in_view_throughout ||
-                           in_view(history.at_age(oldest), position + seconds * velocity));
-    if (!possible) log_proposal_[i] = std::numeric_limits<double>::infinity();
+    const bool seen = in_view(history.at_age(oldest), position + seconds * velocity) ||
+                      (!prior.params().in_view_from_start && in_view(history.newest(), position));
+    if (!seen || velocity.squaredNorm() > limit) log_proposal_[i] = std::numeric_limits<double>::infinity();
   }
 }
 

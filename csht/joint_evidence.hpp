@@ -10,6 +10,9 @@
 
 namespace lookout::csht {
 
+/// Whether the point lies in the field of view of a scan.
+bool in_view(const ScanTable& scan, const Eigen::Vector2d& p_earth);
+
 /// Adaptive importance sampling of one trajectory.
 struct JointEvidenceParams {
   int samples = 160;          ///< Per stage, >= 32.

@@ -30,7 +30,7 @@ std::span<const TargetHypothesis> JointSearch::update(const ScanHistory& history
   choose(history, window, random);
   estimate_again(history, window, known, random);
   forget_worst();
-  return targets_;
+  return those_in_view(history.newest());
 }
 
 void JointSearch::set_targets_per_view(double targets_per_view) {
@@ -124,6 +124,14 @@ void JointSearch::estimate_again(const ScanHistory& history, int window, const C
   std::erase_if(targets_, gone);
   std::sort(targets_.begin(), targets_.end(),
             [](const TargetHypothesis& a, const TargetHypothesis& b) { return a.log_odds > b.log_odds; });
+}
+
+// Targets that have left the field keep their beams in the scans before, and are not reported.
+std::span<const TargetHypothesis> JointSearch::those_in_view(const ScanTable& newest) {
+  const auto end = std::partition(targets_.begin(), targets_.end(), [&](const TargetHypothesis& target) {
+    return in_view(newest, target.mean.head<2>());
+  });
+  return {targets_.begin(), end};
 }
 
 void JointSearch::forget_worst() {

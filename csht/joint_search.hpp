@@ -44,8 +44,10 @@ class JointSearch {
   std::span<const Seed> seeds() const { return seeds_found_; }  ///< Of the last update.
   std::span<const TargetHypothesis> candidates() const {
     return candidates_;
-  }                                                                       ///< Not accepted, last update.
-  std::span<const TargetHypothesis> targets() const { return targets_; }  ///< As the last update returned.
+  }  ///< Not accepted, last update.
+  std::span<const TargetHypothesis> targets() const {
+    return targets_;
+  }  ///< Of the last update, those that have left the field too.
   const TrajectoryPrior& prior() const { return prior_; }
 
  private:
@@ -56,6 +58,7 @@ class JointSearch {
   void choose(const ScanHistory& history, int window, core::Random& random);
   void estimate_again(const ScanHistory& history, int window, const ClaimSet& known, core::Random& random);
   void forget_worst();
+  std::span<const TargetHypothesis> those_in_view(const ScanTable& newest);
 
   JointSearchParams params_;
   TrajectoryPrior prior_;

@@ -10,9 +10,9 @@ struct TrajectoryPriorParams {
   /// Targets that appear inside the field of view, per scan and field of view, >= 0; those that enter through
   /// its border need no rate: the density reaches beyond it.
   double interior_birth_rate = 0.001;
-  /// Targets are in view from the first scan of the window to the last (a single window's experiment), rather
-  /// than in the last alone.
-  bool in_view_throughout = false;
+  /// Targets are in view from the first scan of the window on (a single window's experiment), rather than in
+  /// the first or in the last.
+  bool in_view_from_start = false;
   double max_speed = 3.0;  ///< Fastest target [m/s], > 0.
 };
 
