@@ -25,7 +25,7 @@ struct SensorFigures {
 struct SensorModelParams {
   ClutterModel clutter = ClutterModel::exclusive_beam;
   /// Lowest log-likelihood ratio of an echo that is not the target's, in [-50, 0). It stands for what the
-  /// model leaves out; lower gains nothing, -3 doubles the false tracks (csht_limits, idea 1).
+  /// model leaves out; lower gains nothing, -3 doubles the false tracks (docs/estimator.md).
   double log_floor = -8.0;
 };
 

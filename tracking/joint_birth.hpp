@@ -37,7 +37,7 @@ struct LineFit {
 /// Finds seeds: pairs of echoes that no track explains, the newest scan's with an older one's, each an exact
 /// vote for one trajectory (a sparse Hough vote over north, east and both velocities). Scored backwards under
 /// the softened likelihood; the best stretch is its window; refined by least squares over memberships.
-/// csht_limits, ideas 2 and 3.
+/// docs/tracker.md.
 class JointBirth {
  public:
   JointBirth(const JointBirthParams& params, double max_speed);

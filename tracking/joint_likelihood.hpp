@@ -26,7 +26,7 @@ struct AgeSpan {
 };
 
 /// The likelihood of trajectories over the latest scans, with what other tracks explain left out: in a beam
-/// shared with a nearer target, the farther one learns nothing. csht_limits, ideas 1 and 6.
+/// shared with a nearer target, the farther one learns nothing. docs/tracker.md.
 class JointLikelihood {
  public:
   static constexpr int kNobody = -1;     ///< As `self`: the claims of all tracks count.

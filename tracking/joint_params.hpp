@@ -8,7 +8,7 @@ namespace lookout::tracking {
 /// The density of one track: weighted trajectories, scored under the exact likelihood of the scans.
 struct JointCloudParams {
   int trajectories = 256;  ///< In a cloud, 32 to 4096.
-  double memory_s = 60.0;  ///< Scans older than this are forgotten [s], > 0. csht_limits, idea 4.
+  double memory_s = 60.0;  ///< Scans older than this are forgotten [s], > 0. docs/tracker.md.
   double refresh_share =
       0.25;                   ///< Drawn afresh when the effective share of the cloud falls below, in (0, 1).
   double refresh_goal = 0.4;  ///< Effective share at which a refresh is content, in (refresh_share, 1).
@@ -53,7 +53,7 @@ struct JointManoeuvreParams {
 
 /// When tracks begin, are confirmed and end.
 struct JointLifeParams {
-  double tentative_log_odds = -7.0;  ///< Existence from which a track is kept. csht_limits.
+  double tentative_log_odds = -7.0;  ///< Existence from which a track is kept. docs/tracker.md.
   double end_log_odds = -3.0;        ///< Existence below which a track that was confirmed ends.
   double mean_life_s = 500.0;        ///< Mean time after which a target vanishes in view [s], > 0.
   double coast_s = 10.0;             ///< How long a track is kept outside the field of view [s], >= 0.

@@ -212,7 +212,7 @@ void JointTracker::refresh(std::size_t slot) {
   std::swap(track.cloud, fresh_);
   track.claims_are_fresh = false;
   // Odds that were picked as the best of many are too high; drawn again they
-  // are not. csht_limits, idea 3.
+  // are not. docs/tracker.md.
   const bool whole_life = track.remembers_birth && !track.cloud.curved &&
                           task.ages.oldest == likelihood_.scans().pushed() - 1 - track.first_scan;
   if (whole_life && track.log_odds < kSettledLogOdds && result.effective_share > kTrustedShare)

@@ -7,7 +7,7 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kBirthNats = 11.0;  // Evidence that a new target needs. csht_limits, idea 8.
+constexpr double kBirthNats = 11.0;  // Evidence that a new target needs. docs/tracker.md.
 constexpr double kLeastNats = 0.05;  // Of information a scan.
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace lookout::tracking {
 
-/// Mean information of one scan on a target in view [nats]. csht_limits, idea 8.
+/// Mean information of one scan on a target in view [nats]. docs/tracker.md.
 double nats_per_scan(const csht::SensorFigures& figures, const csht::ScanTable& scan);
 
 /// How many targets are in view that no track stands for, on average: those of the prior, found at the rate

@@ -50,7 +50,7 @@ struct PosedOf<core::SonarImage> {
 };
 
 /// Takes vehicle states and pings in the order of their arrival and hands the pings out in order of time,
-/// each with where the sonar was. The rules are those of DESIGN section 4 (docs/live.md): the same for a live
+/// each with where the sonar was. The rules are those of docs/live.md: the same for a live
 /// link, a log and a recording, so that all three give the same tracks. Bad input is rejected, counted and
 /// reported, never thrown.
 template <class Ping>

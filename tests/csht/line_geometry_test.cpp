@@ -21,7 +21,8 @@ TEST(LineGeometry, VerticalAndHorizontalLinesAreExact) {
   EXPECT_DOUBLE_EQ(horizontal->rho, 7.0);
 }
 
-/// The line of target 2 of [Fan2018] Table 1 with the printed signs; its rho is negative, nht.md, Errata.
+/// The line of target 2 of [Fan2018] Table 1 with the printed signs; its rho is negative, docs/initiators.md,
+/// Errata.
 TEST(LineGeometry, KeepsTheSignOfRho) {
   const auto line = line_through({3000.0, 300.0}, {3000.0 - 173.2, 300.0 - 100.0});
   ASSERT_TRUE(line);

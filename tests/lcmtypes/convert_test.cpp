@@ -12,7 +12,7 @@ namespace {
 using namespace lookout::tests;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t kDatagram = 65'499;  // DESIGN section 4.
+constexpr std::size_t kDatagram = 65'499;  // Largest payload of a UDP datagram that LCM sends whole.
 
 TEST(Convert, VehicleStateThereAndBack) {
   const auto back = to_core(to_wire(example_state())).value;
@@ -179,7 +179,7 @@ TEST(Convert, RefusesToPublishWhatDoesNotFit) {
   EXPECT_THROW(to_wire(truth), std::length_error);
 }
 
-TEST(Convert, TheImageOfTheDesignFits) {  // 90 x 300 is 54,096 bytes, says DESIGN section 4.
+TEST(Convert, TheImageOfTheDesignFits) {  // 90 x 300 is 54,096 bytes: 96 of header, 2 a cell.
   auto image = example_image();
   image.num_beams = 90;
   image.num_bins = 300;

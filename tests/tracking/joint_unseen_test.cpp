@@ -17,7 +17,7 @@ csht::ScanHistory one_scan(double miss, double false_alarm) {
   return scans;
 }
 
-// csht_limits lists 4.0, 2.1, 1.3, 1.1 nats on the diagonal, to the accuracy of their printing.
+// a prototype's study lists 4.0, 2.1, 1.3, 1.1 nats on the diagonal, to the accuracy of their printing.
 TEST(NatsPerScan, OfTheDiagonal) {
   const double expected[] = {4.0, 2.1, 1.3, 1.1};
   for (int k = 0; k < 4; ++k) {

@@ -9,7 +9,7 @@
 namespace lookout::tools {
 namespace {
 
-/// The cut points of nht.md section 6, set there after the prototype's figures: they describe, the figures
+/// The cut points of docs/initiators.md, set there after the prototype's figures: they describe, the figures
 /// claim.
 constexpr double kHighDiscrimination = 1.5;
 constexpr double kDivergenceCuts[] = {0.1, 1.2, 5.0};

@@ -29,7 +29,8 @@ struct FanSceneParams {
   std::string situation = "IV";      ///< I ideal, II noise, III clutter, IV both.
   std::string noise = "consistent";  ///< consistent: 1 m, no process noise; printed: 10 m and 10 m/s a step.
   double clutter_per_scan = 10.0;    ///< Mean of a Poisson number in x 0..4000, y 0..1600 m.
-  bool printed_signs = false;  ///< Target 2 with vy = -100 as printed: it then crosses nothing (nht.md).
+  bool printed_signs =
+      false;  ///< Target 2 with vy = -100 as printed: it then crosses nothing (docs/initiators.md).
 };
 /// Standard deviation of a plot along each axis that these params simulate [m]; the figure a sensor would
 /// state.

@@ -24,7 +24,7 @@ struct TrackScore {
 enum class TrueTrack {
   share,   ///< At least 75 % of its plots are the target's: the issue's reading for [Fan2018]'s scenes.
   strict,  ///< At least three quarters of the window's scans, rounded up, are hit by the target's plots
-           ///< (agfht.md).
+           ///< (docs/initiators.md).
   lenient  ///< More than half of its plots are the target's.
 };
 TrackScore score_tracks(const InitiationScene& scene, const std::vector<TrackSources>& tracks,
@@ -39,7 +39,7 @@ std::vector<TrackSources> track_sources(const tracking::PlotWindow& window,
 std::vector<int> sources_of(const tracking::PlotWindow& window, const std::vector<int>& plots);
 
 /// How the accumulator of a Hough method shows the targets: [Fan2018] Table 2 in figures, as defined in
-/// nht.md 6.
+/// docs/initiators.md.
 struct AccumulatorScore {
   double discrimination = 0.0;  ///< Weakest target peak over the strongest cell of no target, at most 99.
   double divergence = 0.0;      ///< Mean spread of a target's cells about its peak, in (e_r, e_theta).

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kWindowScans = 7;  // [Fan2018] section V
 constexpr double kRealPositionSigma =
-    60.0;  // nht.md 8.4: from the residuals of Table 3 to constant velocity, 24-75 m.
+    60.0;  // docs/initiators.md: from the residuals of Table 3 to constant velocity, 24-75 m.
 
 /// A method and the reading of it; the accumulator of a perfect target is `ideal` high, 0 where there is
 /// none.

@@ -23,9 +23,10 @@ ZengGridParams zeng_grid(const InitiatorConfig& config);
 struct AgFhtParams {
   ZengGridParams grid;
   GateLogicParams gates;
-  int min_plots = 3;        ///< Plots that a candidate needs, and crisp hits of a cell, >= 2.
-  int reach = 2;            ///< Columns and rows over which a plot's membership goes, >= 0. Section 2.4.
-  double cell_sigma = 1.0;  ///< Sigma of the membership in cells, > 0: the paper gives none; agfht.md 2.
+  int min_plots = 3;  ///< Plots that a candidate needs, and crisp hits of a cell, >= 2.
+  int reach = 2;      ///< Columns and rows over which a plot's membership goes, >= 0. Section 2.4.
+  double cell_sigma =
+      1.0;  ///< Sigma of the membership in cells, > 0: the paper gives none; docs/initiators.md.
   double share_of_highest = 0.5;  ///< p of Eq. (16), in (0, 1).
   double share_of_mean = 0.68;    ///< q of Eq. (16), in (0, 1).
   int window_scans = 4;           ///< Section 3.1.

@@ -22,7 +22,7 @@ struct GateLogicParams {
   MotionModelParams motion{1.0};    ///< Of the predictor. Section 3.1.
   int max_misses = 1;               ///< Consecutive scans that a track survives without a plot, >= 0.
 
-  /// What the authors' program knows and the text does not say (agfht.md section 2): the course of the
+  /// What the authors' program knows and the text does not say (docs/initiators.md): the course of the
   /// targets ...
   std::optional<Eigen::Vector2d>
       known_course;  ///< Plots of the first three scans lie within 90 degrees of it.

@@ -18,11 +18,12 @@ struct LineVotingParams {
   double rho_tolerance = 20.0;     ///< e_r [m], > 0. [Fan2018] section V.
   double theta_tolerance = 0.004;  ///< e_theta [rad], > 0. [Fan2018] section V.
   double min_votes = 0.0;          ///< Votes that a peak needs besides, >= 0.
-  double peak_threshold = 0.5;     ///< Share of the highest peak, in (0, 1]. The paper gives none; nht.md 5.
-  int min_plots = 3;               ///< Scans that a line's plots must come from, >= 2.
-  int max_tracks = 500;            ///< The strongest lines that are declared, >= 1.
-  int window_scans = 7;            ///< [Fan2018] section V.
-  MotionModelParams motion{0.0};   ///< Of the refit.
+  double peak_threshold =
+      0.5;               ///< Share of the highest peak, in (0, 1]. The paper gives none; docs/initiators.md.
+  int min_plots = 3;     ///< Scans that a line's plots must come from, >= 2.
+  int max_tracks = 500;  ///< The strongest lines that are declared, >= 1.
+  int window_scans = 7;  ///< [Fan2018] section V.
+  MotionModelParams motion{0.0};  ///< Of the refit.
 
   /// Rows and columns of the neighbourhood that one line fills, two tolerances [Fan2018] Eq. (28).
   int rho_radius() const;

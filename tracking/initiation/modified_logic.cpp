@@ -7,7 +7,7 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kIsotropicVariance = 25000.0;  // [m^2], of the authors' program; agfht.md section 3.
+constexpr double kIsotropicVariance = 25000.0;  // [m^2], of the authors' program; docs/initiators.md.
 constexpr double kGate = 25.0;                  // Likewise.
 
 }  // namespace

@@ -31,8 +31,8 @@ TEST(InitiationScore, SurvivorsAreTargetPlotsAlone) {
   EXPECT_DOUBLE_EQ(surviving_share(small_scene(), {0, 0, 4, 9, 11}), 2.0 / 8.0);
 }
 
-/// [Fan2018] Situation I, MHT-TI: the peaks are 6 high, the strongest other cell 1, so D = 6; nht.md section
-/// 7 A.
+/// [Fan2018] Situation I, MHT-TI: the peaks are 6 high, the strongest other cell 1, so D = 6;
+/// docs/initiators.md 7 A.
 TEST(InitiationScore, AccumulatorOfSituationOne) {
   core::Random random(1011);
   FanSceneParams params;

@@ -1,4 +1,4 @@
-// The heights that nht.md section 9 states for [Fan2018] Situation I: three noise-free targets, no clutter.
+// The heights that docs/initiators.md states for [Fan2018] Situation I: three noise-free targets, no clutter.
 #include <gtest/gtest.h>
 
 #include <algorithm>
