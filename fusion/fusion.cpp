@@ -67,7 +67,9 @@ void Fusion::associate_node(std::span<const Contribution> tracklets) {
   for (const Contribution& tracklet : tracklets) {
     states_.push_back(tracklet.current);
     const LocalEstimate& estimate = tracklet.track->newest();
-    before_.push_back(global_tracks_.supported_by({estimate.node_id, estimate.track_id}));
+    // A track that has just begun, or begun again, has no past: a restarted node uses its numbers anew.
+    const bool has_past = tracklet.track->heard() > 2;
+    before_.push_back(has_past ? global_tracks_.supported_by({estimate.node_id, estimate.track_id}) : -1);
   }
   const auto& indices = association_.associate(states_, global_tracks_.predicted(), before_);
   global_tracks_.add_support(tracklets, indices);

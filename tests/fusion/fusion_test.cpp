@@ -83,6 +83,21 @@ TEST_F(TwoNodes, ANodeFallsSilentAndComesBackWithNewNumbers) {
   EXPECT_NEAR(error(0, 1, 20.0), 0.0, 1e-6);
 }
 
+TEST_F(TwoNodes, ARestartedNodeMayUseTheNumbersOfOthers) {
+  run(0.0, 5.0);
+  for (double time = 5.5; time <= 20.0; time += 0.5) {
+    for (int id : {1, 2}) {
+      send(1, id, time);
+      if (time >= 12.0) send(2, id, time, time, 3 - id);  // Each target under the other's old number.
+    }
+    update(time);
+  }
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].id, 1);
+  EXPECT_NEAR(error(0, 1, 20.0), 0.0, 1e-6);
+  EXPECT_NEAR(error(1, 2, 20.0), 0.0, 1e-6);
+}
+
 TEST_F(TwoNodes, AThirdNodeJoins) {
   run(0.0, 5.0);
   for (double time = 5.5; time <= 8.0; time += 0.5) {

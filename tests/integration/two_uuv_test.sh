@@ -13,7 +13,7 @@ fi
 
 url='udpm://239.255.76.67:7667?ttl=0'
 folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
+trap 'kill $(jobs -p) 2> /dev/null; rm -rf "$folder"' EXIT
 fail() { echo "FAILED: $*"; cat "$folder"/*.txt; exit 1; }
 track() { # PREFIX NODE FILE
   exec "$lookout" track --tracker gnn --seed 1003 --publish-estimates --channel-prefix "$1" --node-id "$2" \
