@@ -8,17 +8,15 @@
 #include <numbers>
 #include <numeric>
 
+#include "tracking/joint_memory.hpp"
+
 namespace lookout::tracking {
 namespace {
 
 // A single line is scored fairly only when neighbouring beams are mixed in proportion to nearness.
 constexpr csht::Tolerance kSeedTolerance{1.0, 0.5};
-constexpr double kExplained = 0.5;        // An echo explained with this probability begins no pair.
-constexpr int kRefineRounds = 2;          // Of least squares over memberships.
-constexpr double kSameSeed = 9.0;         // Squared Mahalanobis distance, 4 degrees of freedom: one peak.
 constexpr double kMembershipGate = 16.0;  // Squared normalised distance beyond which no echo is a member.
 constexpr double kWeakPosition = 1e4;     // Variance of the prior on position [m^2]: keeps the fit solvable.
-constexpr int kTriesPerSeed = 3;          // Pairs that are refined for each seed that is asked for.
 constexpr std::size_t kReserve = 8192;    // Pairs for which memory is kept from the start.
 
 }  // namespace
@@ -59,13 +57,8 @@ std::span<const BirthSeed> JointBirth::propose(JointLikelihood& likelihood) {
   collect_free_echoes(likelihood);
   pair_echoes();
   if (scores_.empty()) return seeds_;
-  int first_look = 0;
-  int window = 0;
-  for (int age = 0; age < scans_->size(); ++age) {
-    const double seconds = -scans_->seconds_at_age(age);
-    if (seconds <= params_.first_look_s) first_look = age;
-    if (seconds <= params_.window_s) window = age;
-  }
+  const int first_look = oldest_within(params_.first_look_s, *scans_);
+  const int window = oldest_within(params_.window_s, *scans_);
   score(likelihood, first_look, first_look == window);
   if (window > first_look) {
     keep_best(static_cast<std::size_t>(params_.first_look_keep));
@@ -94,7 +87,7 @@ bool JointBirth::explained(const JointLikelihood& likelihood, int age, std::size
   const bool point = scan.clutter == csht::ClutterModel::point;
   const core::Detection& detection = scan.detections[echo];
   return likelihood.explained(age, point ? static_cast<int>(echo) : detection.beam, detection.range) >=
-         kExplained;
+         params_.explained;
 }
 
 void JointBirth::pair_echoes() {
@@ -179,7 +172,8 @@ void JointBirth::refine_and_merge(const JointLikelihood& likelihood) {
             [this](std::size_t a, std::size_t b) { return scores_[a].best > scores_[b].best; });
   int tried = 0;
   for (const std::size_t i : order_) {
-    if (static_cast<int>(seeds_.size()) >= params_.seeds || tried >= kTriesPerSeed * params_.seeds) break;
+    if (static_cast<int>(seeds_.size()) >= params_.seeds || tried >= params_.tries_per_seed * params_.seeds)
+      break;
     BirthSeed seed;
     ++tried;
     if (refine(likelihood, i, seed) && !merged(seed)) seeds_.push_back(seed);
@@ -191,7 +185,7 @@ bool JointBirth::merged(const BirthSeed& seed) {
     const Eigen::Vector4d offset = seed.guess.mean.head<4>() - other.guess.mean.head<4>();
     const Eigen::Matrix4d covariance =
         other.guess.covariance.topLeftCorner<4, 4>() + seed.guess.covariance.topLeftCorner<4, 4>();
-    if (offset.dot(covariance.llt().solve(offset)) < kSameSeed) return true;
+    if (offset.dot(covariance.llt().solve(offset)) < params_.same_target) return true;
   }
   return false;
 }
@@ -203,7 +197,7 @@ bool JointBirth::refine(const JointLikelihood& likelihood, std::size_t index, Bi
                         pairs_.east_velocity[index]);
   const double prior_variance = 0.25 * max_speed_ * max_speed_;
   Eigen::Matrix4d covariance;
-  for (int round = 0; round < kRefineRounds; ++round) {
+  for (int round = 0; round < params_.refine_rounds; ++round) {
     LineFit fit;
     fit.information.bottomRightCorner<2, 2>() += Eigen::Matrix2d::Identity() / prior_variance;
     fit.information.topLeftCorner<2, 2>() += Eigen::Matrix2d::Identity() / kWeakPosition;
@@ -237,7 +231,8 @@ void JointBirth::add_members(const JointLikelihood& likelihood, int age, const E
     const double dr = (echo_range - range) / figures.range_sigma;
     const double db = core::wrap_to_pi(echo_azimuth - azimuth) / figures.bearing_sigma;
     const double square = dr * dr + db * db;
-    if (square > kMembershipGate || likelihood.explained(age, claim_index, echo_range) >= kExplained) return;
+    if (square > kMembershipGate || likelihood.explained(age, claim_index, echo_range) >= params_.explained)
+      return;
     const double own = static_cast<double>(scan.gain) * std::exp(-0.5 * square);
     const double cross = echo_range * figures.bearing_sigma;
     fit.add({scan.T_earth_sonar.north + echo_range * std::cos(echo_azimuth),

@@ -4,18 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "tracking/joint_memory.hpp"
+
 namespace lookout::tracking {
 namespace {
 
 constexpr int kRounds = 10;  // Of adaptive importance sampling: the guess may be some metres off.
 
 }  // namespace
-
-int JointManoeuvre::window(const csht::ScanHistory& scans) const {
-  int oldest = 0;
-  while (oldest + 1 < scans.size() && -scans.seconds_at_age(oldest + 1) <= params_.window_s) ++oldest;
-  return oldest;
-}
 
 SamplingTask JointManoeuvre::task(int slot, const JointTrack& track, int oldest, bool curved) const {
   SamplingTask task;
@@ -54,7 +50,7 @@ bool JointManoeuvre::doubtful(const RecentEvidence& recent, int scans) const {
 JointManoeuvre::Judgement JointManoeuvre::leave_line(int slot, const JointTrack& track,
                                                      JointLikelihood& likelihood, JointSampler& sampler,
                                                      core::Random& random, JointCloud& cloud) const {
-  const int oldest = std::min(window(likelihood.scans()), track.recent.size() - 1);
+  const int oldest = std::min(oldest_within(params_.window_s, likelihood.scans()), track.recent.size() - 1);
   Judgement judgement;
   if (oldest < params_.least_scans || !doubtful(track.recent, oldest + 1)) return judgement;
   const double predicted = track.recent.sum(oldest + 1);
@@ -73,7 +69,7 @@ JointManoeuvre::Judgement JointManoeuvre::leave_line(int slot, const JointTrack&
 JointManoeuvre::Judgement JointManoeuvre::leave_curve(int slot, const JointTrack& track,
                                                       JointLikelihood& likelihood, JointSampler& sampler,
                                                       core::Random& random, JointCloud& cloud) const {
-  const int oldest = window(likelihood.scans());
+  const int oldest = oldest_within(params_.window_s, likelihood.scans());
   Judgement judgement;
   judgement.oldest = oldest;
   const SamplingResult curve = sampler.sample(task(slot, track, oldest, true), likelihood, random, cloud);

@@ -26,9 +26,6 @@ class JointManoeuvre {
   Judgement judge(int slot, const JointTrack& track, JointLikelihood& likelihood, JointSampler& sampler,
                   core::Random& random, JointCloud& cloud) const;
 
-  /// The scans that a curved trajectory is fitted to.
-  int window(const csht::ScanHistory& scans) const;
-
  private:
   Judgement leave_line(int slot, const JointTrack& track, JointLikelihood& likelihood, JointSampler& sampler,
                        core::Random& random, JointCloud& cloud) const;

@@ -30,6 +30,17 @@ void JointObserver::observe(int slot, JointTrack& track, bool claim, JointLikeli
   track.echo_share = view.echo;
 }
 
+void JointObserver::claim_memory(int slot, JointTrack& track, const AgeSpan& memory,
+                                 JointLikelihood& likelihood) {
+  likelihood.set_existence(slot, track.existence());
+  likelihood.forget_claims(slot, 0);
+  const bool claims = track.existence() >= JointLikelihood::kLeastExistence;
+  observe(slot, track, claims, likelihood);
+  if (!claims || track.claims_are_fresh) return;
+  claim_past(slot, track, memory.oldest, likelihood);
+  track.claims_are_fresh = true;
+}
+
 void JointObserver::claim_past(int slot, JointTrack& track, int oldest, JointLikelihood& likelihood) {
   for (int age = 1; age <= oldest; ++age) {
     if (track.has_claims) likelihood.forget_claims(slot, age);

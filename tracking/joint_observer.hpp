@@ -20,6 +20,10 @@ class JointObserver {
     look(slot, cloud, 0, true, 1, likelihood);
   }
 
+  /// Notes the existence of `track`, observes it and, where it is sure enough for that, renews its claims on
+  /// the scans that it remembers.
+  void claim_memory(int slot, JointTrack& track, const AgeSpan& memory, JointLikelihood& likelihood);
+
   /// Claims on the scans of ages 1 .. oldest, from the present cloud, in place of those before.
   void claim_past(int slot, JointTrack& track, int oldest, JointLikelihood& likelihood);
 

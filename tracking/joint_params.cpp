@@ -20,6 +20,8 @@ void validate(const JointCloudParams& p) {
   require(p.refresh_rounds >= 1, "refresh_rounds must be >= 1", p.refresh_rounds);
   require(p.proposal_scale >= 1.0, "proposal_scale must be >= 1", p.proposal_scale);
   require(p.tail_freedom > 2.0, "tail_freedom must be > 2", p.tail_freedom);
+  require(p.enough_effective > 0.0, "enough_effective must be > 0", p.enough_effective);
+  require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)", p.trusted_share);
 }
 
 void validate(const JointBirthParams& p) {
@@ -34,6 +36,12 @@ void validate(const JointBirthParams& p) {
   require(p.samples >= 16, "samples must be >= 16", p.samples);
   require(p.rounds >= 1, "rounds must be >= 1", p.rounds);
   require(p.hopeless > 0.0, "hopeless must be > 0", p.hopeless);
+  require(p.explained > 0.0 && p.explained <= 1.0, "explained must be in (0, 1]", p.explained);
+  require(p.refine_rounds >= 1, "refine_rounds must be >= 1", p.refine_rounds);
+  require(p.tries_per_seed >= 1, "tries_per_seed must be >= 1", p.tries_per_seed);
+  require(p.same_target > 0.0, "same_target must be > 0", p.same_target);
+  require(p.track_reach > 0.0, "track_reach must be > 0", p.track_reach);
+  require(p.better_nats >= 0.0, "better_nats must be >= 0", p.better_nats);
 }
 
 void validate(const JointManoeuvreParams& p) {
@@ -53,6 +61,8 @@ void validate(const JointLifeParams& p) {
   require(p.max_tracks >= 1, "max_tracks must be >= 1", p.max_tracks);
   require(p.twin_distance >= 0.0, "twin_distance must be >= 0", p.twin_distance);
   require(p.twin_speed >= 0.0, "twin_speed must be >= 0", p.twin_speed);
+  require(p.in_view_share > 0.0 && p.in_view_share < 1.0, "in_view_share must be in (0, 1)", p.in_view_share);
+  require(p.settled_log_odds > 0.0, "settled_log_odds must be > 0", p.settled_log_odds);
 }
 
 void validate(const JointReportParams& p) {
@@ -60,6 +70,15 @@ void validate(const JointReportParams& p) {
           p.min_existence);
   require(p.cutoff > 0.0, "cutoff must be > 0", p.cutoff);
   require(p.samples >= 1, "samples must be >= 1", p.samples);
+  require(p.least_probability >= 0.0 && p.least_probability <= 1.0, "least_probability must be in [0, 1]",
+          p.least_probability);
+  require(p.published_tentative >= 0.0 && p.published_tentative <= 1.0,
+          "published_tentative must be in [0, 1]", p.published_tentative);
+}
+
+void validate(const JointLearningParams& p) {
+  require(p.least_change > 0.0, "least_change must be > 0", p.least_change);
+  require(p.target_samples >= 1, "target_samples must be >= 1", p.target_samples);
 }
 
 }  // namespace
@@ -71,6 +90,7 @@ void validate(const JointTrackerParams& params) {
   validate(params.manoeuvre);
   validate(params.life);
   validate(params.report);
+  validate(params.learning);
 }
 
 }  // namespace lookout::tracking

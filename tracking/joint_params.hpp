@@ -13,8 +13,10 @@ struct JointCloudParams {
       0.25;                   ///< Drawn afresh when the effective share of the cloud falls below, in (0, 1).
   double refresh_goal = 0.4;  ///< Effective share at which a refresh is content, in (refresh_share, 1).
   int refresh_rounds = 3;     ///< Most rounds of adaptive importance sampling a refresh, >= 1.
-  double proposal_scale = 1.1;  ///< Standard deviations of the proposal over those of the cloud, >= 1.
-  double tail_freedom = 6.0;    ///< Degrees of freedom of the proposal's t distribution, > 2.
+  double proposal_scale = 1.1;     ///< Standard deviations of the proposal over those of the cloud, >= 1.
+  double tail_freedom = 6.0;       ///< Degrees of freedom of the proposal's t distribution, > 2.
+  double enough_effective = 50.0;  ///< Trajectories that carry a cloud that is as good as it gets, > 0.
+  double trusted_share = 0.08;     ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
 };
 
 /// Births: pairs of echoes that no track explains, scored backwards.
@@ -31,6 +33,13 @@ struct JointBirthParams {
   int rounds = 3;             ///< Rounds of adaptive importance sampling, >= 1.
   double hopeless =
       6.0;  ///< A seed this many nats short of a tentative track in its first round is dropped, > 0.
+  double explained = 0.5;     ///< An echo explained with this probability begins no pair, in (0, 1].
+  int refine_rounds = 2;      ///< Of least squares over memberships, >= 1.
+  int tries_per_seed = 3;     ///< Pairs that are refined for each seed that is asked for, >= 1.
+  double same_target = 9.0;   ///< Squared Mahalanobis distance (4 degrees of freedom) within which seeds, or
+                              ///< a seed and a track, are one target, > 0.
+  double track_reach = 30.0;  ///< Tracks farther than this from a seed are not compared with it [m], > 0.
+  double better_nats = 2.0;   ///< By which a seed must beat a tentative track to replace it, >= 0.
 };
 
 /// Targets that turn or change speed.
@@ -60,14 +69,24 @@ struct JointLifeParams {
   int max_tracks = 512;              ///< Tracks of any status, >= 1; the least probable give way.
   double twin_distance = 4.0;        ///< Two tracks nearer than this [m] ...
   double twin_speed = 0.5;           ///< ... and in velocity [m/s] are one target's.
+  double in_view_share = 0.5;        ///< Visible share below which a track counts as out of view, in (0, 1).
+  double settled_log_odds = 4.0;  ///< Existence above which odds are only updated, not estimated again, > 0.
 };
 
 /// What is reported.
 struct JointReportParams {
   bool report_all = false;  ///< Every track above `min_existence` rather than the set of least expected OSPA.
-  double min_existence = 0.5;  ///< For report_all, in [0, 1].
-  double cutoff = 20.0;        ///< Of the OSPA that is minimised [m], > 0.
-  int samples = 128;           ///< Target sets drawn to estimate it, >= 1.
+  double min_existence = 0.5;         ///< For report_all, in [0, 1].
+  double cutoff = 20.0;               ///< Of the OSPA that is minimised [m], > 0.
+  int samples = 128;                  ///< Target sets drawn to estimate it, >= 1.
+  double least_probability = 0.02;    ///< From which a track is weighed for the report, in [0, 1].
+  double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
+};
+
+/// What the tracks teach of the sensor.
+struct JointLearningParams {
+  double least_change = 0.01;  ///< Relative change of a sensor figure that is worth a rewrite, > 0.
+  int target_samples = 32;     ///< Trajectories that stand for a target, >= 1.
 };
 
 struct JointTrackerParams {
@@ -78,6 +97,7 @@ struct JointTrackerParams {
   JointManoeuvreParams manoeuvre;
   JointLifeParams life;
   JointReportParams report;
+  JointLearningParams learning;
 };
 
 /// @throws std::invalid_argument showing the value that is out of range.

@@ -39,4 +39,18 @@ double JointTrack::existence() const {
   return probability(log_odds);
 }
 
+void JointTrack::begin(const Beginning& beginning) {
+  used = true;
+  moments = cloud.moments();
+  log_odds = highest_log_odds = beginning.log_odds;
+  log_density = beginning.log_density;
+  recent.clear();
+  first_scan = beginning.first_scan;
+  first_utime = beginning.first_utime;
+  last_detection_utime = beginning.utime;
+  remembers_birth = true;
+  out_of_view = reported = confirmed_once = false;
+  has_claims = claims_are_fresh = false;
+}
+
 }  // namespace lookout::tracking

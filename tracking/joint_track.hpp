@@ -51,6 +51,16 @@ struct JointTrack {
   std::vector<double> log_ratio;  ///< Of the newest scan, trajectory by trajectory.
 
   double existence() const;
+
+  /// How a track begins, but for its identity and its cloud.
+  struct Beginning {
+    double log_odds = 0.0;
+    double log_density = 0.0;
+    std::int64_t first_scan = 0;
+    std::int64_t first_utime = 0;
+    std::int64_t utime = 0;  ///< Of the newest scan.
+  };
+  void begin(const Beginning& beginning);  ///< Uses the slot for a new track with the cloud that it holds.
 };
 
 /// Probability of log odds, and back.

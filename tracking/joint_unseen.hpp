@@ -18,6 +18,7 @@ class JointUnseen {
 
   /// Takes one scan in, `seconds` after the one before. @return the mean after it.
   double update(const csht::ScanTable& scan, const csht::SensorFigures& figures, double seconds);
+  double mean() const { return mean_; }
 
  private:
   JointBirthParams params_;

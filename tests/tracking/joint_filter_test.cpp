@@ -1,0 +1,56 @@
+#include "tracking/joint_filter.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/tracking/joint_scenes.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+const Eigen::Vector4d kLine(60.0, 0.5, 1.0, 0.0);
+
+TEST(JointFilter, PredictionMovesTracksAndLetsThemFade) {
+  JointTrackerParams params;
+  JointState state(params, clear_sonar(), 1);
+  state.likelihood.push(scan_of(0, {}));
+  JointTrack& track = add_track(state, kLine, 0.0);
+  JointFilter(params).predict(5.0, state);
+  EXPECT_DOUBLE_EQ(track.moments.mean[0], 65.0);
+  EXPECT_NEAR(track.existence(), 0.5 * std::exp(-5.0 / params.life.mean_life_s), 1e-12);
+}
+
+// ln[(1 - P_M) N(0; 0, sigma^2) R / P_F] for an echo in the middle of the beam at the very range.
+TEST(JointFilter, AnEchoRaisesTheOddsByItsLikelihoodRatio) {
+  JointState state({}, clear_sonar(), 1);
+  const Eigen::Vector2d middle =
+      60.0 * Eigen::Vector2d(std::cos(core::radians(0.5)), std::sin(core::radians(0.5)));
+  state.likelihood.push(scan_of(0, {middle}));
+  JointTrack& track = add_track(state, {middle.x(), middle.y(), 0.0, 0.0}, 1.0);
+  JointFilter({}).update(state);
+  const double height = 150.0 / (3.0 * std::sqrt(2.0 * 3.14159265358979));
+  EXPECT_NEAR(track.log_odds, 1.0 + std::log(0.9 * height / 0.1 + std::exp(-8.0)), 1e-4);
+  EXPECT_DOUBLE_EQ(track.visible_share, 1.0);
+}
+
+TEST(JointFilter, SilenceSpeaksAgainstATrackInClearWater) {
+  JointState state({}, clear_sonar(), 1);
+  state.likelihood.push(scan_of(0, {}));
+  JointTrack& track = add_track(state, kLine, 1.0);
+  JointFilter({}).update(state);
+  EXPECT_NEAR(track.log_odds, 1.0 + std::log(0.1 / 0.9), 1e-4);
+}
+
+// The nearer of two in a beam owns the echo; the farther one learns next to nothing.
+TEST(JointFilter, BehindASureTrackNothingIsLearnt) {
+  JointState state({}, clear_sonar(), 1);
+  state.likelihood.push(scan_of(0, {{60.0, 0.5}}));
+  add_track(state, {60.0, 0.5, 0.0, 0.0}, 20.0);
+  JointTrack& behind = add_track(state, {90.0, 0.8, 0.0, 0.0}, 1.0);
+  JointFilter({}).update(state);
+  EXPECT_NEAR(behind.log_odds, 1.0, 0.01);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

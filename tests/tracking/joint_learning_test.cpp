@@ -1,0 +1,52 @@
+#include "tracking/joint_learning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "tests/tracking/joint_scenes.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+// Weights 1/4 and 3/4: of 8 equally likely trajectories, 2 and 6.
+TEST(Resample, TakesTrajectoriesByTheirWeights) {
+  JointCloud cloud;
+  cloud.resize(2);
+  cloud.north = {1.0, 2.0};
+  cloud.weight = {0.25, 0.75};
+  std::vector<Eigen::Vector4d> samples;
+  resample(cloud, 8, samples);
+  ASSERT_EQ(samples.size(), 8U);
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_DOUBLE_EQ(samples[i][0], i < 2 ? 1.0 : 2.0);
+}
+
+// 9 of 90 beams report and nobody owns them: the share is 0.1.
+TEST(JointLearning, UnknownFalseAlarmsAreLearntFromFreeBeams) {
+  core::SonarParams unknown;
+  JointState state({}, unknown, 1);
+  JointLearning learning({}, 0.5, unknown);
+  std::vector<Eigen::Vector2d> points;
+  for (int k = 0; k < 9; ++k) {
+    const double bearing = core::radians(-40.5 + 9.0 * k);
+    points.emplace_back(80.0 * std::cos(bearing), 80.0 * std::sin(bearing));
+  }
+  for (int k = 0; k < 20; ++k) {
+    state.likelihood.push(scan_of(k, points));
+    learning.learn(state);
+  }
+  EXPECT_NEAR(learning.estimate().false_alarm_probability, 0.1, 0.005);
+  // The likelihood uses what was learnt.
+  EXPECT_NEAR(state.scans().figures().false_alarm_probability, 0.1, 0.005);
+}
+
+TEST(JointLearning, FiguresThatFitAreLeftAsGiven) {
+  JointState state({}, clear_sonar(), 1);
+  JointLearning learning({}, 0.5, clear_sonar());
+  state.likelihood.push(scan_of(0, {}));
+  learning.learn(state);
+  EXPECT_DOUBLE_EQ(learning.figures().miss_probability, 0.1);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

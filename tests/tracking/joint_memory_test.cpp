@@ -1,0 +1,40 @@
+#include "tracking/joint_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tracking/sonar_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+// Scans every half second: the newest of 30 has those of 14.5 s behind it.
+csht::ScanHistory thirty_scans() {
+  csht::ScanHistory scans({}, {}, 40);
+  for (int k = 0; k < 30; ++k) scans.push(scan_of(k, {}));
+  return scans;
+}
+
+TEST(OldestWithin, CountsScansUpToTheSecond) {
+  const csht::ScanHistory scans = thirty_scans();
+  EXPECT_EQ(oldest_within(4.0, scans), 8);
+  EXPECT_EQ(oldest_within(0.0, scans), 0);
+  EXPECT_EQ(oldest_within(100.0, scans), 29);
+}
+
+TEST(MemoryOf, ReachesToTheFirstScanOrTheMemorysEnd) {
+  const csht::ScanHistory scans = thirty_scans();
+  JointTrack track;
+  track.first_scan = 19;  // Of scans 0 to 29, ten before the newest.
+  EXPECT_EQ(memory_of(track, scans, {60.0, 8.0}).oldest, 10);
+  EXPECT_EQ(memory_of(track, scans, {3.0, 8.0}).oldest, 6);
+}
+
+TEST(MemoryOf, ACurveIsShort) {
+  const csht::ScanHistory scans = thirty_scans();
+  JointTrack track;
+  track.cloud.curved = true;
+  EXPECT_EQ(memory_of(track, scans, {60.0, 8.0}).oldest, 16);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

@@ -1,0 +1,58 @@
+#include "tracking/joint_output.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tracking/joint_scenes.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+const Eigen::Vector4d kLine(60.0, 0.5, 1.0, 0.0);
+
+JointState empty_sea() {
+  JointState state({}, clear_sonar(), 1);
+  state.likelihood.push(scan_of(0, {}));
+  return state;
+}
+
+std::span<const core::Track> output_of(JointOutput& output, double unseen, JointState& state) {
+  output.choose(unseen, state);
+  return output.publish(state);
+}
+
+TEST(JointOutput, AProbableTrackIsConfirmedAndAnUnlikelyOneIsNot) {
+  JointState state = empty_sea();
+  add_track(state, kLine, 3.0);
+  add_track(state, {90.0, 9.0, 0.0, 0.0}, -2.0);
+  add_track(state, {100.0, -9.0, 0.0, 0.0}, -6.0);
+  JointOutput output({}, state.random);
+  const auto tracks = output_of(output, 0.0, state);
+  ASSERT_EQ(tracks.size(), 2U);  // The third is too improbable to be published.
+  EXPECT_EQ(tracks[0].status, core::TrackStatus::confirmed);
+  EXPECT_EQ(tracks[1].status, core::TrackStatus::tentative);
+  EXPECT_DOUBLE_EQ(tracks[0].state[2], 1.0);
+  EXPECT_TRUE(state.tracks[0].confirmed_once);
+}
+
+// Expected OSPA with nothing reported and two targets unseen is 20 m; a wrong report costs nothing then.
+TEST(JointOutput, WithMuchUnseenADoubtfulTrackIsReported) {
+  JointState state = empty_sea();
+  add_track(state, kLine, -1.0);
+  JointOutput output({}, state.random);
+  EXPECT_EQ(output_of(output, 6.0, state)[0].status, core::TrackStatus::confirmed);
+  EXPECT_EQ(output_of(output, 0.0, state)[0].status, core::TrackStatus::tentative);
+}
+
+TEST(JointOutput, OutOfViewAConfirmedTrackCoasts) {
+  JointState state = empty_sea();
+  JointTrack& track = add_track(state, kLine, 3.0);
+  JointOutput output({}, state.random);
+  output_of(output, 0.0, state);
+  track.out_of_view = true;
+  const auto tracks = output_of(output, 0.0, state);
+  ASSERT_EQ(tracks.size(), 1U);
+  EXPECT_EQ(tracks[0].status, core::TrackStatus::coasting);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

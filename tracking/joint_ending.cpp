@@ -1,0 +1,50 @@
+#include "tracking/joint_ending.hpp"
+
+namespace lookout::tracking {
+
+void JointEnding::end_twins(JointState& state) const {
+  for (std::size_t a = 0; a < state.tracks.size(); ++a) {
+    for (std::size_t b = 0; b < a && state.tracks[a].used; ++b) {
+      JointTrack &first = state.tracks[a], &second = state.tracks[b];
+      if (!second.used || !twins(first, second)) continue;
+      const bool first_goes = first.confirmed_once == second.confirmed_once ? first.log_odds < second.log_odds
+                                                                            : second.confirmed_once;
+      state.end(first_goes ? first : second, DecisionKind::merge, "on the same target as a surer track");
+    }
+  }
+}
+
+bool JointEnding::twins(const JointTrack& a, const JointTrack& b) const {
+  const CloudMoments::Vector6 offset = a.moments.mean - b.moments.mean;
+  return offset.head<2>().norm() <= params_.twin_distance &&
+         offset.segment<2>(2).norm() <= params_.twin_speed;
+}
+
+void JointEnding::end_lives(JointState& state) const {
+  for (JointTrack& track : state.tracks) {
+    if (!track.used) continue;
+    note_view(track, state);
+    if (const char* reason = reason_to_end(track, state)) state.end(track, DecisionKind::end, reason);
+  }
+}
+
+void JointEnding::note_view(JointTrack& track, const JointState& state) const {
+  if (track.echo_share > params_.in_view_share) track.last_detection_utime = state.now();
+  const bool out = track.visible_share < params_.in_view_share;
+  if (out && !track.out_of_view) track.out_of_view_utime = state.now();
+  if (out != track.out_of_view && track.confirmed_once)
+    state.decide(track, out ? DecisionKind::coast : DecisionKind::resume, track.log_odds,
+                 out ? "left the field of view" : "back in the field of view");
+  track.out_of_view = out;
+}
+
+const char* JointEnding::reason_to_end(const JointTrack& track, const JointState& state) const {
+  const double least = track.confirmed_once ? params_.end_log_odds : params_.tentative_log_odds;
+  if (track.log_odds < least) return "too little evidence left";
+  if (!track.out_of_view) return nullptr;
+  if (!track.confirmed_once) return "left the field of view unconfirmed";
+  const double out = core::seconds(state.now() - track.out_of_view_utime);
+  return out > params_.coast_s ? "out of view for longer than the coast" : nullptr;
+}
+
+}  // namespace lookout::tracking

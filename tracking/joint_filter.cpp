@@ -1,0 +1,124 @@
+#include "tracking/joint_filter.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tracking/joint_unseen.hpp"
+
+namespace lookout::tracking {
+
+JointFilter::JointFilter(const JointTrackerParams& params)
+    : cloud_(params.cloud),
+      life_(params.life),
+      least_log_odds_(params.manoeuvre.least_log_odds),
+      memory_{params.cloud.memory_s, params.manoeuvre.window_s},
+      manoeuvre_(params.manoeuvre, params.cloud.trajectories) {}
+
+void JointFilter::predict(double seconds, JointState& state) const {
+  const double survival = std::exp(-seconds / life_.mean_life_s);
+  for (JointTrack& track : state.tracks) {
+    if (!track.used) continue;
+    track.cloud.predict(seconds);
+    track.moments = track.cloud.moments();
+    track.log_odds = log_odds(track.existence() * survival);
+  }
+}
+
+void JointFilter::update(JointState& state) {
+  claim_provisionally(state);
+  for (JointTrack& track : state.tracks) {
+    if (!track.used) continue;
+    take_scan(track, state);
+    judge_motion(track, state);
+    observer_.claim_memory(state.slot_of(track), track, memory_of(track, state.scans(), memory_),
+                           state.likelihood);
+  }
+}
+
+// What each track would take of the scan on its own, so that the others know before they are updated.
+void JointFilter::claim_provisionally(JointState& state) {
+  for (JointTrack& track : state.tracks) {
+    if (!track.used) continue;
+    const int self = state.slot_of(track);
+    track.log_ratio.assign(track.cloud.size(), 0.0);
+    state.likelihood.add(track.cloud, track.moments.mean, {0, 0}, JointLikelihood::kEverybody,
+                         track.log_ratio);
+    state.likelihood.set_existence(self, track.existence());
+    if (track.existence() < JointLikelihood::kLeastExistence) continue;
+    state.fresh = track.cloud;
+    state.fresh.reweigh(track.log_ratio);
+    observer_.claim(self, state.fresh, state.likelihood);
+  }
+}
+
+void JointFilter::take_scan(JointTrack& track, JointState& state) {
+  const int self = state.slot_of(track);
+  const csht::ScanHistory& scans = state.scans();
+  const int beam = std::max(0, beam_at(scans.newest(), track.moments.mean[0], track.moments.mean[1]));
+  const bool shared = state.likelihood.mask(0, self, beam) != nullptr;
+  if (shared) {
+    track.log_ratio.assign(track.cloud.size(), 0.0);
+    state.likelihood.add(track.cloud, track.moments.mean, {0, 0}, self, track.log_ratio);
+  }
+  const double evidence = track.cloud.reweigh(track.log_ratio);
+  track.log_odds += evidence;
+  track.highest_log_odds = std::max(track.highest_log_odds, track.log_odds);
+  const bool tells = !shared && !track.out_of_view;
+  track.recent.add(evidence, tells ? nats_per_scan(scans.figures(), scans.newest()) : evidence);
+  const double enough = cloud_.refresh_share * static_cast<double>(track.cloud.size());
+  if (track.cloud.curved || track.cloud.effective_size() < enough) refresh(track, state);
+  track.moments = track.cloud.moments();
+}
+
+// Draws the cloud afresh from the likelihood of the scans it remembers.
+void JointFilter::refresh(JointTrack& track, JointState& state) {
+  SamplingTask task;
+  task.guess = track.cloud.moments();
+  // A cloud that one scan has cut down to a few trajectories says little of its own spread.
+  const double rest = std::min(1.0, track.cloud.dimensions() / track.cloud.effective_size());
+  task.guess.covariance += rest * track.moments.covariance;
+  task.ages = memory_of(track, state.scans(), memory_);
+  task.self = state.slot_of(track);
+  task.samples = cloud_.trajectories;
+  task.rounds = cloud_.refresh_rounds;
+  task.curved = track.cloud.curved;
+  const SamplingResult result = state.sampler.sample(task, state.likelihood, state.random, state.fresh);
+  const double effective = result.effective_share * static_cast<double>(task.samples);
+  if (effective <= std::min(track.cloud.effective_size(), cloud_.enough_effective)) return;
+  std::swap(track.cloud, state.fresh);
+  track.claims_are_fresh = false;
+  if (estimates_odds(track, task.ages, result, state))
+    track.log_odds = std::min(result.log_evidence + track.log_density, life_.settled_log_odds);
+}
+
+// Odds that were picked as the best of many are too high; drawn again from the whole life they are not.
+// docs/tracker.md.
+bool JointFilter::estimates_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
+                                 const JointState& state) const {
+  const bool whole_life = track.remembers_birth && !track.cloud.curved &&
+                          ages.oldest == state.scans().pushed() - 1 - track.first_scan;
+  return whole_life && track.log_odds < life_.settled_log_odds &&
+         result.effective_share > cloud_.trusted_share;
+}
+
+void JointFilter::judge_motion(JointTrack& track, JointState& state) {
+  if (track.highest_log_odds < least_log_odds_ || track.out_of_view) return;
+  const auto judgement = manoeuvre_.judge(state.slot_of(track), track, state.likelihood, state.sampler,
+                                          state.random, state.fresh);
+  if (judgement.verdict == JointManoeuvre::Verdict::keep) return;
+  const bool curve = judgement.verdict == JointManoeuvre::Verdict::curve;
+  std::swap(track.cloud, state.fresh);
+  track.moments = track.cloud.moments();
+  track.first_scan = state.scans().pushed() - 1 - judgement.oldest;
+  track.remembers_birth = false;
+  track.claims_are_fresh = false;
+  // What the line lost by not bending was no evidence against the target.
+  if (curve)
+    track.log_odds =
+        std::max(track.log_odds, std::min(track.log_odds + judgement.evidence, life_.settled_log_odds));
+  state.decide(track, curve ? DecisionKind::manoeuvre : DecisionKind::straighten, judgement.evidence,
+               curve ? "a curve explains the latest scans better" : "a straight line explains them as well");
+}
+
+}  // namespace lookout::tracking

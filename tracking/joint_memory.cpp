@@ -1,0 +1,19 @@
+#include "tracking/joint_memory.hpp"
+
+#include <algorithm>
+
+namespace lookout::tracking {
+
+int oldest_within(double seconds, const csht::ScanHistory& scans) {
+  int oldest = 0;
+  while (oldest + 1 < scans.size() && -scans.seconds_at_age(oldest + 1) <= seconds) ++oldest;
+  return oldest;
+}
+
+AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const JointMemory& memory) {
+  if (track.cloud.curved) return {0, oldest_within(memory.curve_s, scans)};
+  const std::int64_t since_first = scans.pushed() - 1 - track.first_scan;
+  return {0, static_cast<int>(std::min<std::int64_t>(since_first, oldest_within(memory.line_s, scans)))};
+}
+
+}  // namespace lookout::tracking

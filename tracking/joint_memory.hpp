@@ -1,0 +1,21 @@
+#pragma once
+
+#include "csht/scan_history.hpp"
+#include "tracking/joint_likelihood.hpp"
+#include "tracking/joint_track.hpp"
+
+namespace lookout::tracking {
+
+/// How far back a track's likelihood reaches.
+struct JointMemory {
+  double line_s = 60.0;  ///< Of a straight trajectory [s].
+  double curve_s = 8.0;  ///< Of a curved one [s].
+};
+
+/// Age of the oldest scan that is at most `seconds` older than the newest; 0 at least.
+int oldest_within(double seconds, const csht::ScanHistory& scans);
+
+/// The scans that a track remembers: since its first, as far as its motion model holds.
+AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const JointMemory& memory);
+
+}  // namespace lookout::tracking

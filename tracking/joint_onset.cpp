@@ -1,0 +1,103 @@
+#include "tracking/joint_onset.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <utility>
+
+#include "tracking/joint_proposal.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+// Squared Mahalanobis distance of position and velocity, with both covariances.
+double state_distance(const CloudMoments& a, const CloudMoments& b) {
+  const Eigen::Vector4d offset = a.mean.head<4>() - b.mean.head<4>();
+  const Eigen::Matrix4d covariance = a.covariance.topLeftCorner<4, 4>() + b.covariance.topLeftCorner<4, 4>();
+  return offset.dot(covariance.llt().solve(offset));
+}
+
+}  // namespace
+
+JointOnset::JointOnset(const JointTrackerParams& params, double max_speed,
+                       std::unique_ptr<BirthMethod> births)
+    : params_(params.birth),
+      life_(params.life),
+      cloud_(params.cloud),
+      memory_{params.cloud.memory_s, params.manoeuvre.window_s},
+      max_speed_(max_speed),
+      birth_(params.birth, max_speed),
+      births_(std::move(births)) {}
+
+void JointOnset::begin(const core::PosedScan& scan, JointState& state) {
+  if (births_ != nullptr)
+    begin_on_proposals(scan, state);
+  else
+    begin_on_pairs(state);
+}
+
+void JointOnset::begin_on_pairs(JointState& state) {
+  for (const BirthSeed& seed : birth_.propose(state.likelihood))
+    if (seed.log_odds > life_.tentative_log_odds - params_.hopeless && !known(seed, state))
+      begin_track(seed, state);
+}
+
+void JointOnset::begin_on_proposals(const core::PosedScan& scan, JointState& state) {
+  living_.clear();
+  for (const JointTrack& track : state.tracks) {
+    if (!track.used || track.existence() < JointLikelihood::kLeastExistence) continue;
+    core::Track& living = living_.emplace_back();
+    living.state = track.moments.mean.head<4>();
+    living.covariance = track.moments.covariance.topLeftCorner<4, 4>();
+  }
+  const BirthDensity density = birth_density(state.scans().newest(), max_speed_, params_);
+  for (const core::MotionElement& element : births_->propose(scan, living_)) {
+    const BirthSeed seed = seed_of(element, state.scans(), density);
+    if (!known(seed, state)) begin_track(seed, state);
+  }
+}
+
+// Whether a track stands for the seed already. A tentative one that is much less probable gives way.
+bool JointOnset::known(const BirthSeed& seed, JointState& state) const {
+  for (JointTrack& track : state.tracks) {
+    if (!track.used) continue;
+    if ((track.moments.mean.head<2>() - seed.guess.mean.head<2>()).norm() > params_.track_reach) continue;
+    if (state_distance(track.moments, seed.guess) > params_.same_target) continue;
+    if (track.confirmed_once || seed.log_odds < track.log_odds + params_.better_nats) return true;
+    state.end(track, DecisionKind::merge, "a better candidate takes its place");
+  }
+  return false;
+}
+
+// Draws the density of a seed to `fresh`. @return whether it is worth a track.
+bool JointOnset::draw(const BirthSeed& seed, double& log_odds, JointState& state) const {
+  SamplingTask task;
+  task.guess = seed.guess;
+  task.ages = seed.ages;
+  task.samples = params_.samples;
+  task.rounds = params_.rounds;
+  task.give_up_below = life_.tentative_log_odds - params_.hopeless - seed.log_density;
+  if (state.sampler.sample(task, state.likelihood, state.random, state.fresh).log_evidence <
+      task.give_up_below)
+    return false;
+  // Of many seeds the luckiest estimates stand out: once more, with trajectories that nothing was chosen by.
+  task.guess = state.fresh.moments();
+  task.samples = cloud_.trajectories;
+  const SamplingResult result = state.sampler.sample(task, state.likelihood, state.random, state.fresh);
+  log_odds = result.log_evidence + seed.log_density;
+  return log_odds >= life_.tentative_log_odds && result.effective_share >= cloud_.trusted_share;
+}
+
+void JointOnset::begin_track(const BirthSeed& seed, JointState& state) {
+  double log_odds = 0.0;
+  if (!draw(seed, log_odds, state)) return;
+  JointTrack* const track = state.free_track();
+  if (track == nullptr) return;
+  const csht::ScanHistory& scans = state.scans();
+  std::swap(track->cloud, state.fresh);
+  track->begin({std::min(log_odds, life_.settled_log_odds), seed.log_density,
+                scans.pushed() - 1 - seed.ages.oldest, scans.at_age(seed.ages.oldest).utime, state.now()});
+  observer_.claim_memory(state.slot_of(*track), *track, memory_of(*track, scans, memory_), state.likelihood);
+  state.decide(*track, DecisionKind::begin, track->log_odds, "echoes that no track explains");
+}
+
+}  // namespace lookout::tracking

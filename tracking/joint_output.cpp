@@ -1,0 +1,56 @@
+#include "tracking/joint_output.hpp"
+
+#include <algorithm>
+
+namespace lookout::tracking {
+
+void JointOutput::choose(double unseen, JointState& state) {
+  candidates_.clear();
+  double tentative = 0.0;
+  for (std::size_t slot = 0; slot < state.tracks.size(); ++slot) {
+    const JointTrack& track = state.tracks[slot];
+    const double p = track.used && !track.out_of_view ? track.existence() * track.visible_share : 0.0;
+    if (track.log_odds < 0.0) tentative += p;
+    if (p < params_.least_probability) continue;
+    candidates_.push_back({slot, p, track.moments.covariance(0, 0) + track.moments.covariance(1, 1)});
+  }
+  const std::size_t count = report_.choose(candidates_, std::max(0.0, unseen - tentative), state.random);
+  for (std::size_t i = 0; i < candidates_.size(); ++i)
+    confirm(state.tracks[candidates_[i].slot], i < count, state);
+}
+
+void JointOutput::confirm(JointTrack& track, bool report, const JointState& state) const {
+  if (report != track.reported)
+    state.decide(
+        track, report ? DecisionKind::confirm : DecisionKind::withdraw, track.log_odds,
+        report ? "reporting it lowers the expected OSPA" : "reporting it no longer lowers the expected OSPA");
+  track.reported = report;
+  track.confirmed_once |= report;
+}
+
+std::span<const core::Track> JointOutput::publish(JointState& state) {
+  published_.clear();
+  for (JointTrack& track : state.tracks) {
+    if (!track.used) continue;
+    track.reported &= !track.out_of_view;
+    publish_track(track);
+  }
+  return published_;
+}
+
+void JointOutput::publish_track(const JointTrack& track) {
+  const bool coasting = track.confirmed_once && track.out_of_view;
+  if (!track.reported && !coasting && track.existence() < params_.published_tentative) return;
+  core::Track& out = published_.emplace_back();
+  out.id = track.id;
+  out.status = track.reported ? core::TrackStatus::confirmed
+               : coasting     ? core::TrackStatus::coasting
+                              : core::TrackStatus::tentative;
+  out.state = track.moments.mean.head<4>();
+  out.covariance = track.moments.covariance.topLeftCorner<4, 4>();
+  out.existence = track.existence();
+  out.first_utime = track.first_utime;
+  out.last_detection_utime = track.last_detection_utime;
+}
+
+}  // namespace lookout::tracking
