@@ -15,6 +15,7 @@ int score_command(const Options& options) {
   tracking::ScoreNode node(bus,
                            {options.channel_prefix, options.tracks_channel, {options.cutoff, options.order}},
                            std::move(scorer));
+  log_info("score: listening, truth " + options.truth);
   node.run(limits);
   const int scored = node.scorer().num_scans();
   if (scored == 0)
