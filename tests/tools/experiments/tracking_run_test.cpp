@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "tools/experiments/csht_tracking.hpp"
-#include "tools/experiments/perfect_association.hpp"
-#include "tracking/metrics/scorer.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {
@@ -41,43 +38,6 @@ TEST(TrackingRun, DelayedOutputAnswersForScansThatAreLongEnoughAgo) {
   const auto late = track(*delayed, scans, 5.0);
   EXPECT_EQ(late.tracks.size(), scans.size() - 10);  // 5 s of two scans a second
   EXPECT_LT(score(scans, late).at("ospa").value, score(scans, track(*online, scans)).at("ospa").value);
-}
-
-TEST(PerfectAssociation, IsBetterThanATracker) {
-  const auto scans = easy_run();
-  const core::SonarParams sonar;
-  PerfectAssociation reference(sonar);
-  tracking::Scorer told, found;
-  const auto tracker = tracking::make_tracker("gnn", {}, sonar, {}, 1);
-  for (const auto& scan : scans) {
-    told.add(scan.truth, reference.update(scan));
-    found.add(scan.truth, tracker->update(scan.posed));
-  }
-  EXPECT_LT(told.mean().position.total, found.mean().position.total);
-  EXPECT_LT(told.mean().position.total, 1.0);  // sigma 1 m and the late first echo of five targets
-}
-
-TEST(PerfectAssociation, NeverReportsMoreThanIsInView) {
-  PerfectAssociation reference{core::SonarParams{}};
-  for (const auto& scan : easy_run()) {
-    const auto in_view = std::count_if(scan.truth.targets.begin(), scan.truth.targets.end(),
-                                       [](const auto& target) { return target.visible; });
-    EXPECT_LE(static_cast<long>(reference.update(scan).size()), in_view);
-  }
-}
-
-TEST(CshtTracking, HasBothReadingsAndThePapersFigures) {
-  const auto cells = make_csht_tracking()->cells();
-  int light = 0, printed = 0, delayed = 0;
-  for (const auto& cell : cells) {
-    delayed += cell.parameters.number("lag_s") > 0.0 ? 1 : 0;
-    if (cell.method != "kalman") continue;
-    light += cell.parameters.text("clutter") == "light" ? 1 : 0;
-    printed += cell.paper.contains("ospa_cardinality") ? 1 : 0;
-  }
-  EXPECT_EQ(light, 20);    // 16 pairs of probabilities and four further sigmas
-  EXPECT_EQ(printed, 40);  // in both readings
-  EXPECT_EQ(delayed, 80);  // joint, 5 and 10 s
 }
 
 }  // namespace
