@@ -1,6 +1,16 @@
 #include "fusion/fusion.hpp"
 
 namespace lookout::fusion {
+namespace {
+
+/// The printed rule lets every tracklet vote at once.
+GlobalTracksParams global_params(const FusionParams& params) {
+  GlobalTracksParams global = params.global;
+  if (params.association.rule == AssociationRule::max) global.probation = 1;
+  return global;
+}
+
+}  // namespace
 
 Fusion::Fusion(const FusionParams& params)
     : params_(params),
@@ -8,7 +18,7 @@ Fusion::Fusion(const FusionParams& params)
       local_tracks_(params.store),
       association_(params.association),
       method_(make_fusion_method(params)),
-      global_tracks_(params.global) {}
+      global_tracks_(global_params(params)) {}
 
 std::span<const core::Track> Fusion::update(std::int64_t utime) {
   global_tracks_.predict(utime);                              // [Li2018] Eq. (16)
@@ -66,10 +76,7 @@ void Fusion::associate_node(std::span<const Contribution> tracklets) {
   before_.clear();
   for (const Contribution& tracklet : tracklets) {
     states_.push_back(tracklet.current);
-    const LocalEstimate& estimate = tracklet.track->newest();
-    // A track that has just begun, or begun again, has no past: a restarted node uses its numbers anew.
-    const bool has_past = tracklet.track->heard() > 2;
-    before_.push_back(has_past ? global_tracks_.supported_by({estimate.node_id, estimate.track_id}) : -1);
+    before_.push_back(global_tracks_.past_of(*tracklet.track));
   }
   const auto& indices = association_.associate(states_, global_tracks_.predicted(), before_);
   global_tracks_.add_support(tracklets, indices);

@@ -48,7 +48,7 @@ class Fusion {
 
   std::vector<Contribution> tracklets_;  ///< Of one node, while it is associated.
   std::vector<Eigen::Vector4d> states_;  ///< Theirs.
-  std::vector<int> before_;              ///< Places of the global tracks that they supported the last time.
+  std::vector<PastSupport> before_;      ///< And what they supported the last time.
   std::array<std::int64_t, kNumIntakes> counts_{};
   std::int64_t restarts_ = 0;
 };

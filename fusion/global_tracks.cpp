@@ -7,7 +7,7 @@
 
 namespace lookout::fusion {
 
-GlobalTracks::GlobalTracks(const GlobalTracksParams& params) : params_(params) {
+GlobalTracks::GlobalTracks(const GlobalTracksParams& params) : params_(params), pairings_(params.probation) {
   require("birth_estimates", params.birth_estimates, params.birth_estimates >= 2, ">= 2");
   require("coast", params.coast, params.coast >= 0.0, ">= 0");
   require("local_trust", params.local_trust, params.local_trust > 0.0 && params.local_trust < 1.0,
@@ -15,6 +15,7 @@ GlobalTracks::GlobalTracks(const GlobalTracksParams& params) : params_(params) {
   require("merge_threshold", params.merge_threshold,
           params.merge_threshold > 0.0 && params.merge_threshold <= 1.0, "in (0, 1]");
   require("merge_updates", params.merge_updates, params.merge_updates >= 1, ">= 1");
+  require("probation", params.probation, params.probation >= 1, ">= 1");
 }
 
 void GlobalTracks::clear() {
@@ -22,9 +23,11 @@ void GlobalTracks::clear() {
   predicted_.clear();
   supports_.clear();
   supported_utime_.clear();
+  voices_.clear();
+  listeners_.clear();
   alike_.clear();
   merged_.clear();
-  global_of_local_.clear();
+  pairings_.clear();
 }
 
 void GlobalTracks::predict(std::int64_t utime) {
@@ -36,7 +39,10 @@ void GlobalTracks::predict(std::int64_t utime) {
     support.previous = tracks_[g].state;
     support.predicted = moved(support.previous, dt);
     support.is_new = false;
+    voices_[g].clear();
+    for (const Contribution& voice : support.contributions) voices_[g].push_back(voice.track->key());
     support.contributions.clear();
+    listeners_[g].clear();
     predicted_[g] = support.predicted;
   }
 }
@@ -48,35 +54,54 @@ void GlobalTracks::start(const Contribution& contribution) {
   track.first_utime = utime_;
   tracks_.push_back(track);
   predicted_.push_back(track.state);
-  supports_.push_back({track.id, utime_, true, track.state, track.state, {contribution}});
+  supports_.push_back({track.id, utime_, true, track.state, track.state, {}});
   supported_utime_.push_back(utime_);
-  remember(contribution, track.id);
+  voices_.emplace_back();
+  listeners_.emplace_back();
+  support(contribution, tracks_.size() - 1);
 }
 
-void GlobalTracks::remember(const Contribution& contribution, std::int64_t global_id) {
-  const LocalEstimate& estimate = contribution.track->newest();
-  global_of_local_[{estimate.node_id, estimate.track_id}] = global_id;
+void GlobalTracks::support(const Contribution& contribution, std::size_t index) {
+  const LocalTrack& local = *contribution.track;
+  const bool must_prove = has_other_voice(index, local.newest().node_id);
+  if (pairings_.pair(local, tracks_[index].id, must_prove)) {
+    supports_[index].contributions.push_back(contribution);
+  } else {
+    listeners_[index].push_back(local.newest().node_id);
+  }
 }
 
-int GlobalTracks::supported_by(const LocalTrackStore::Key& local) const {
-  const auto found = global_of_local_.find(local);
-  if (found == global_of_local_.end()) return -1;
-  const auto track = std::lower_bound(tracks_.begin(), tracks_.end(), found->second,
+bool GlobalTracks::has_other_voice(std::size_t index, std::int32_t node_id) const {
+  const auto is_other = [&](const LocalTrackStore::Key& voice) { return voice.first != node_id; };
+  return std::any_of(voices_[index].begin(), voices_[index].end(), is_other);
+}
+
+int GlobalTracks::place_of(std::int64_t global_id) const {
+  const auto track = std::lower_bound(tracks_.begin(), tracks_.end(), global_id,
                                       [](const core::Track& t, std::int64_t id) { return t.id < id; });
-  if (track == tracks_.end() || track->id != found->second) return -1;
+  if (track == tracks_.end() || track->id != global_id) return -1;
   return static_cast<int>(track - tracks_.begin());
 }
 
+int GlobalTracks::supported_by(const LocalTrackStore::Key& local) const {
+  return place_of(pairings_.global_of(local));
+}
+
+PastSupport GlobalTracks::past_of(const LocalTrack& local) const {
+  const int place = place_of(pairings_.voted_for(local));
+  if (place < 0) return {};
+  const Voices& voices = voices_[static_cast<std::size_t>(place)];
+  return {place, voices == Voices{local.key()}};
+}
+
 void GlobalTracks::forget_locals(const LocalTrackStore::Tracks& known) {
-  std::erase_if(global_of_local_, [&](const auto& entry) { return !known.contains(entry.first); });
+  pairings_.forget_unknown(known);
 }
 
 void GlobalTracks::add_support(std::span<const Contribution> contributions, std::span<const int> indices) {
   for (std::size_t i = 0; i < contributions.size(); ++i) {
     if (indices[i] >= 0) {
-      TrackGroup& support = supports_[static_cast<std::size_t>(indices[i])];
-      support.contributions.push_back(contributions[i]);
-      remember(contributions[i], support.global_id);
+      support(contributions[i], static_cast<std::size_t>(indices[i]));
     } else if (contributions[i].track->heard() >= static_cast<std::size_t>(params_.birth_estimates)) {
       start(contributions[i]);
     }
@@ -123,14 +148,18 @@ void GlobalTracks::update_status(std::size_t index) {
     track.last_detection_utime = std::max(track.last_detection_utime, contribution.track->newest().utime);
 }
 
+std::vector<std::int32_t> GlobalTracks::nodes_of(std::size_t index) const {
+  std::vector<std::int32_t> nodes = listeners_[index];
+  for (const Contribution& voice : supports_[index].contributions)
+    nodes.push_back(voice.track->newest().node_id);
+  return nodes;
+}
+
 bool GlobalTracks::may_be_one(std::size_t a, std::size_t b) const {
+  if (supports_[a].contributions.empty() || supports_[b].contributions.empty()) return false;
   // Two tracks that one node tells apart are two.
-  for (const Contribution& own : supports_[a].contributions) {
-    for (const Contribution& other : supports_[b].contributions) {
-      if (own.track->newest().node_id == other.track->newest().node_id) return false;
-    }
-  }
-  return !supports_[a].contributions.empty() && !supports_[b].contributions.empty();
+  const std::vector<std::int32_t> nodes = nodes_of(a), others = nodes_of(b);
+  return std::find_first_of(nodes.begin(), nodes.end(), others.begin(), others.end()) == nodes.end();
 }
 
 void GlobalTracks::merge_alike(const TrackAssociation& likeness) {
@@ -147,6 +176,7 @@ void GlobalTracks::merge_alike(const TrackAssociation& likeness) {
       if (alike[pair] < params_.merge_updates) continue;
       dead[b] = true;  // The older keeps its number.
       merged_.push_back({pair.second, pair.first});
+      pairings_.rename(pair.second, pair.first);
     }
   }
   alike_ = std::move(alike);
@@ -172,6 +202,8 @@ void GlobalTracks::erase_where(const std::vector<bool>& dead) {
       predicted_[kept] = predicted_[g];
       supports_[kept] = std::move(supports_[g]);
       supported_utime_[kept] = supported_utime_[g];
+      voices_[kept] = std::move(voices_[g]);
+      listeners_[kept] = std::move(listeners_[g]);
     }
     ++kept;
   }
@@ -179,6 +211,8 @@ void GlobalTracks::erase_where(const std::vector<bool>& dead) {
   predicted_.resize(kept);
   supports_.resize(kept);
   supported_utime_.resize(kept);
+  voices_.resize(kept);
+  listeners_.resize(kept);
 }
 
 }  // namespace lookout::fusion

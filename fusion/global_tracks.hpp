@@ -9,6 +9,7 @@
 #include "core/track.hpp"
 #include "fusion/fusion_method.hpp"
 #include "fusion/local_track_store.hpp"
+#include "fusion/pairings.hpp"
 #include "fusion/track_association.hpp"
 
 namespace lookout::fusion {
@@ -22,6 +23,8 @@ struct GlobalTracksParams {
   double merge_threshold = 0.35;  ///< Membership from which two tracks of different nodes are one, in (0, 1].
                                   ///< The association's.
   int merge_updates = 3;          ///< For so many updates in a row, >= 1. Own choice.
+  int probation = 3;  ///< Messages that a newcomer must send for a track that another node already speaks for
+                      ///< before it has a vote there, >= 1. Own choice: a wrong start lasts two at most.
 };
 
 /// The global picture and its bookkeeping: prediction, support, birth, merging, coasting, end. Numbers are
@@ -41,8 +44,12 @@ class GlobalTracks {
   /// starts a track where it has been heard often enough.
   void add_support(std::span<const Contribution> contributions, std::span<const int> indices);
 
-  /// The place in `predicted` of the track that a local track supported the last time, or -1.
+  /// The place in `predicted` of the track that a local track goes with, or -1. It may be on probation.
   int supported_by(const LocalTrackStore::Key& local) const;
+
+  /// What a local track has of its past: the track that it has a vote in, and whether it is alone there. A
+  /// newcomer on probation has none, so that each message is judged anew.
+  PastSupport past_of(const LocalTrack& local) const;
 
   /// The tracks with support, as the fusion methods take them.
   std::span<const TrackGroup> groups();
@@ -61,11 +68,15 @@ class GlobalTracks {
 
  private:
   using IdPair = std::pair<std::int64_t, std::int64_t>;
+  using Voices = std::vector<LocalTrackStore::Key>;
 
   void start(const Contribution& contribution);
-  void remember(const Contribution& contribution, std::int64_t global_id);
+  int place_of(std::int64_t global_id) const;
+  void support(const Contribution& contribution, std::size_t index);
+  bool has_other_voice(std::size_t index, std::int32_t node_id) const;
   void update_status(std::size_t index);
   void merge_alike(const TrackAssociation& likeness);
+  std::vector<std::int32_t> nodes_of(std::size_t index) const;
   bool may_be_one(std::size_t a, std::size_t b) const;
   void erase_where(const std::vector<bool>& dead);
   std::vector<bool> ended() const;
@@ -77,10 +88,12 @@ class GlobalTracks {
   std::vector<core::Track> tracks_;
   std::vector<Eigen::Vector4d> predicted_;
   std::vector<TrackGroup> supports_;
-  std::vector<std::int64_t> supported_utime_;  ///< When a node last supported it [us].
+  std::vector<std::int64_t> supported_utime_;         ///< When a node last supported it [us].
+  std::vector<Voices> voices_;                        ///< Who had a vote the last time.
+  std::vector<std::vector<std::int32_t>> listeners_;  ///< Nodes with a track on probation there.
 
   std::vector<TrackGroup> groups_;
-  std::map<LocalTrackStore::Key, std::int64_t> global_of_local_;  ///< The newest association.
+  Pairings pairings_;
   std::map<IdPair, int> alike_;  ///< For how many updates two tracks have looked like one.
   std::vector<IdPair> merged_;
 };

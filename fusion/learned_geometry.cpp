@@ -14,6 +14,14 @@ constexpr double kRegularisation = 1e-6;
 /// Nearest that a target counts as to a sensor [m], so that the bearing keeps a meaning.
 constexpr double kLeastRange = 1.0;
 
+/// Expected square of a node's own error where its variance is `own`, age adds an independent error of
+/// variance `aging`, and the sum of the two has the expected square `total`. Never negative, unlike
+/// total - aging.
+double own_share(double own, double aging, double total) {
+  const double gain = own / (own + aging);
+  return gain * gain * total + gain * aging;
+}
+
 }  // namespace
 
 LearnedGeometry::LearnedGeometry(const LearnedGeometryParams& params) : params_(params) {
@@ -23,6 +31,9 @@ LearnedGeometry::LearnedGeometry(const LearnedGeometryParams& params) : params_(
   require("iterations", params.iterations, params.iterations >= 1, ">= 1");
   require("pseudo_samples", params.pseudo_samples, params.pseudo_samples >= 0.0, ">= 0");
   require("velocity_sigma", params.velocity_sigma, params.velocity_sigma >= 0.0, ">= 0");
+  require_positive("least_share", params.least_share);
+  least_ = {std::pow(params.least_share * params.range_sigma, 2),
+            std::pow(params.least_share * params.bearing_sigma, 2)};
   reset();
 }
 
@@ -133,9 +144,13 @@ void LearnedGeometry::add_residuals(std::span<const Sample> samples) {
     const Eigen::Vector2d residual = sample.position - fused.position;
     const double along = u.dot(residual), across = v.dot(residual);
     Moments& moments = moments_[sample.node];
-    moments.along += std::max(0.0, along * along + u.dot(fused.covariance * u) - sample.aging);
-    moments.across +=
-        std::max(0.0, across * across + v.dot(fused.covariance * v) - sample.aging) / sample.squared_range;
+    const NodeQuality& quality = quality_[sample.node];
+    const double range_squared = sample.squared_range;
+    moments.along +=
+        own_share(quality.range_variance, sample.aging, along * along + u.dot(fused.covariance * u));
+    moments.across += own_share(quality.bearing_variance * range_squared, sample.aging,
+                                across * across + v.dot(fused.covariance * v)) /
+                      range_squared;
     moments.count += 1.0;
   }
 }
@@ -159,8 +174,10 @@ void LearnedGeometry::maximise() {
   for (std::size_t node = 0; node < quality_.size(); ++node) {
     const Moments& moments = moments_[node];
     if (moments.count + extra == 0.0) continue;
-    quality_[node].range_variance = (moments.along + extra * along) / (moments.count + extra);
-    quality_[node].bearing_variance = (moments.across + extra * across) / (moments.count + extra);
+    const NodeQuality learned{(moments.along + extra * along) / (moments.count + extra),
+                              (moments.across + extra * across) / (moments.count + extra)};
+    quality_[node] = {std::max(least_.range_variance, learned.range_variance),
+                      std::max(least_.bearing_variance, learned.bearing_variance)};
   }
 }
 

@@ -18,6 +18,8 @@ struct LearnedGeometryParams {
   double pseudo_samples = 6.0;  ///< How strongly a node is drawn to the median node, >= 0. t2gt 6.
   double velocity_sigma = 0.3;  ///< Error of a local velocity [m/s], >= 0: what an estimate loses in
                                 ///< accuracy with each second of age. Own choice.
+  double least_share = 0.01;    ///< Of the two starting sigmas, below which no node's is believed, > 0:
+                              ///< estimates that happen to agree must not make a weight infinite. Own choice.
 };
 
 /// Fusion with matrix weights whose sizes are learned. The fusion node knows where each sensor stands, so it
@@ -75,6 +77,7 @@ class LearnedGeometry final : public FusionMethod {
   FusedState fuse_group(const TrackGroup& group, std::span<const Sample> samples) const;
 
   LearnedGeometryParams params_;
+  NodeQuality least_;
   std::map<std::int32_t, std::size_t> index_;  ///< Of each node heard.
   std::vector<NodeQuality> quality_;
   std::vector<Moments> moments_;

@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 
 #include "core/frames.hpp"
 #include "fusion/constant_velocity.hpp"
@@ -34,6 +36,8 @@ class LocalTrack {
   /// Estimate `age` places before the newest, age < size().
   const LocalEstimate& back(std::size_t age) const { return kept_[(heard_ - 1 - age) % kMemory]; }
   const LocalEstimate& newest() const { return back(0); }
+  /// Node id and track id.
+  std::pair<std::int32_t, std::int64_t> key() const { return {newest().node_id, newest().track_id}; }
 
   bool is_tracklet() const { return heard_ >= 2; }
   /// From the tracklet's older position to its newer [m]; zero of a candidate.

@@ -17,6 +17,8 @@ LocalTrackStore::LocalTrackStore(const LocalTrackStoreParams& params) : params_(
   require_positive("max_age", params.max_age);
   require_positive("min_silence", params.min_silence);
   require("silent_rounds", params.silent_rounds, params.silent_rounds > 1.0, "> 1");
+  require("skips", params.skips, params.skips >= 1 && params.skips < static_cast<int>(LocalTrack::kMemory),
+          "1 to 7");
   require("forget_after", params.forget_after, params.forget_after >= params.max_age, ">= max_age");
   require("max_tracks", static_cast<double>(params.max_tracks), params.max_tracks >= 1, ">= 1");
 }
@@ -39,8 +41,17 @@ Intake LocalTrackStore::add(const LocalEstimate& estimate) {
   } else {
     Rhythm& rhythm = rhythms_[estimate.node_id];
     rhythm.interval += (rhythm.interval > 0.0 ? kRhythmGain : 1.0) * (gap - rhythm.interval);
+    note_turn(track);
   }
   return Intake::accepted;
+}
+
+void LocalTrackStore::note_turn(const LocalTrack& track) {
+  // A track in turn is heard once between two estimates of this one.
+  const auto skips = static_cast<std::size_t>(params_.skips);
+  if (track.size() <= skips) return;
+  Rhythm& rhythm = rhythms_[track.newest().node_id];
+  rhythm.skipped_before = std::max(rhythm.skipped_before, track.back(skips).utime);
 }
 
 double LocalTrackStore::silence_limit(std::int32_t node_id) const {
@@ -50,7 +61,10 @@ double LocalTrackStore::silence_limit(std::int32_t node_id) const {
 }
 
 bool LocalTrackStore::votes(const LocalTrack& track, std::int64_t utime) const {
-  return track.is_tracklet() && track.age(utime) <= silence_limit(track.newest().node_id);
+  const std::int32_t node_id = track.newest().node_id;
+  const auto rhythm = rhythms_.find(node_id);
+  const bool skipped = rhythm != rhythms_.end() && track.newest().utime < rhythm->second.skipped_before;
+  return track.is_tracklet() && !skipped && track.age(utime) <= silence_limit(node_id);
 }
 
 void LocalTrackStore::forget_silent(std::int64_t utime) {

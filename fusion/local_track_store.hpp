@@ -13,10 +13,12 @@ enum class Intake { accepted, implausible, duplicate, out_of_order, clock, no_co
 inline constexpr std::size_t kNumIntakes = 7;
 
 struct LocalTrackStoreParams {
-  double max_gap = 5.0;            ///< Longest time between the two estimates of a tracklet [s], > 0. t2gt 9.
-  double max_age = 5.0;            ///< An estimate older than this has no vote [s], > 0. Own choice.
-  double silent_rounds = 3.0;      ///< A track that its node skipped for so many of the node's mean intervals
-                                   ///< between estimates of one track has ended, > 1. Own choice.
+  double max_gap = 5.0;        ///< Longest time between the two estimates of a tracklet [s], > 0. t2gt 9.
+  double max_age = 5.0;        ///< An estimate older than this has no vote [s], > 0. Own choice.
+  double silent_rounds = 3.0;  ///< A track that its node skipped for so many of the node's mean intervals
+                               ///< between estimates of one track has ended, > 1. Own choice.
+  int skips = 2;  ///< A track has ended too once its node has sent another so many times more often since,
+                  ///< >= 1. Links take turns; two skips tolerate one lost message. Own choice.
   double min_silence = 1.6;        ///< Shortest such silence [s], > 0: three scans of 0.5 s. Own choice.
   double forget_after = 30.0;      ///< A track silent for so long is forgotten [s], >= max_age. Own choice.
   std::size_t max_tracks = 10000;  ///< Of all nodes together, >= 1: bounds the memory. Own choice.
@@ -45,13 +47,15 @@ class LocalTrackStore {
   void clear();
 
  private:
-  /// Mean time between two estimates of one track of a node [s]: it grows with the node's tracks, since the
-  /// link is thin.
+  /// How a node takes turns with its tracks.
   struct Rhythm {
-    double interval = 0.0;
+    double interval = 0.0;  ///< Mean time between two estimates of one track [s]: it grows with the node's
+                            ///< tracks, since the link is thin.
+    std::int64_t skipped_before = 0;  ///< A track not heard since then [us] has been skipped.
   };
 
   double silence_limit(std::int32_t node_id) const;
+  void note_turn(const LocalTrack& track);
 
   LocalTrackStoreParams params_;
   Tracks tracks_;

@@ -18,6 +18,7 @@ TrackAssociation::TrackAssociation(const AssociationParams& params) : params_(pa
   require("threshold", params.threshold, params.threshold >= 0.0 && params.threshold < 1.0, "in [0, 1)");
   require_positive("position_gate", params.position_gate);
   require("kept_bonus", params.kept_bonus, params.kept_bonus >= 0.0, ">= 0");
+  require("alone_bonus", params.alone_bonus, params.alone_bonus >= 0.0, ">= 0");
   require("standing_share", params.standing_share, params.standing_share >= 0.0, ">= 0");
 }
 
@@ -47,7 +48,7 @@ double TrackAssociation::membership(const Eigen::Vector4d& a, const Eigen::Vecto
 
 const std::vector<int>& TrackAssociation::associate(std::span<const Eigen::Vector4d> tracklets,
                                                     std::span<const Eigen::Vector4d> globals,
-                                                    std::span<const int> before) {
+                                                    std::span<const PastSupport> before) {
   global_of_tracklet_.assign(tracklets.size(), -1);
   if (tracklets.empty() || globals.empty()) return global_of_tracklet_;
   global_courses_.clear();
@@ -74,16 +75,17 @@ void TrackAssociation::take_largest() {
   }
 }
 
-void TrackAssociation::take_one_to_one(std::span<const int> before) {
+void TrackAssociation::take_one_to_one(std::span<const PastSupport> before) {
   // A pair below the threshold is worth nothing, so that it never displaces a good one.
   const double limit = 1.0 - params_.threshold;
   Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic> allowed = cost_.array() <= limit;
   for (std::size_t i = 0; i < before.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    if (before[i] < 0 || cost_(row, before[i]) >= 1.0) continue;
+    const int place = before[i].place;
+    if (place < 0 || cost_(row, place) >= 1.0) continue;
     // Within the gate a node's own track is trusted to be the same: after a long wait it may have jumped.
-    allowed(row, before[i]) = true;
-    cost_(row, before[i]) -= params_.kept_bonus;
+    allowed(row, place) = true;
+    cost_(row, place) -= before[i].alone ? params_.alone_bonus : params_.kept_bonus;
   }
   cost_ = allowed.select(cost_, 1.0);
   const std::vector<int>& column_of_row = solver_.solve(cost_);

@@ -27,7 +27,15 @@ struct AssociationParams {
   double kept_bonus = 0.15;    ///< Added to the membership of a pair that was associated the last time, >= 0:
                                ///< keeps numbers where targets meet. Such a pair
                                ///< needs the gate alone, not the threshold; `one_to_one` only. Own choice.
+  double alone_bonus = 1.0;    ///< The same where no other node spoke for the track, >= 0: it is that
+                             ///< tracklet's own past, whatever comes near; `one_to_one` only. Own choice.
   double standing_share = 0.05;  ///< Below this share of speed_scale a target stands, >= 0. t2gt 2 (c).
+};
+
+/// What a tracklet supported the last time.
+struct PastSupport {
+  int place = -1;      ///< Index of the global track, -1 where there was none.
+  bool alone = false;  ///< No other node spoke for that track.
 };
 
 /// Fuzzy association of the tracklets of one node with the global tracks.
@@ -42,9 +50,10 @@ class TrackAssociation {
   double membership(const Eigen::Vector4d& a, const Eigen::Vector4d& b) const;
 
   /// The global track of each tracklet of one node, or -1. Valid until the next call.
-  /// @param before the global track of each tracklet the last time, -1 where it had none.
+  /// @param before what each tracklet supported the last time; may be empty.
   const std::vector<int>& associate(std::span<const Eigen::Vector4d> tracklets,
-                                    std::span<const Eigen::Vector4d> globals, std::span<const int> before);
+                                    std::span<const Eigen::Vector4d> globals,
+                                    std::span<const PastSupport> before);
 
   const AssociationParams& params() const { return params_; }
 
@@ -59,7 +68,7 @@ class TrackAssociation {
   static Course course(const Eigen::Vector4d& state);
   double membership(const Course& a, const Course& b) const;
   void take_largest();
-  void take_one_to_one(std::span<const int> before);
+  void take_one_to_one(std::span<const PastSupport> before);
 
   AssociationParams params_;
   std::vector<Course> global_courses_;

@@ -98,6 +98,38 @@ TEST_F(TwoNodes, ARestartedNodeMayUseTheNumbersOfOthers) {
   EXPECT_NEAR(error(1, 2, 20.0), 0.0, 1e-6);
 }
 
+TEST_F(TwoNodes, ARestartedNodesFirstGuessesWhereTargetsMeetCostNoNumber) {
+  // Two targets pass 3 m apart. A tracker that has just started guesses: its first two estimates of each
+  // stand nearer to the other one and have its velocity. Node 1 must keep both numbers and both places
+  // meanwhile.
+  const auto meeting = [](int id, double time) {
+    return id == 1 ? Eigen::Vector4d(0, 0, 0.5, 0.2) : Eigen::Vector4d(0.2 * (time - 12.0), 3.0, 0.7, -0.1);
+  };
+  const auto guess = [&](int id, double time) -> Eigen::Vector4d {
+    if (time >= 13.0) return meeting(id, time);
+    const Eigen::Vector4d own = meeting(id, time), other = meeting(3 - id, time);
+    return (Eigen::Vector4d() << 0.4 * own.head<2>() + 0.6 * other.head<2>(), other.tail<2>()).finished();
+  };
+  const auto sent = [&](std::int32_t node, std::int64_t track_id, double time, const Eigen::Vector4d& state) {
+    LocalEstimate message = estimate(node, track_id, time, state);
+    message.p_earth_node = {-50.0, node * 40.0};
+    fusion.add(message);
+  };
+  for (double time = 0.0; time <= 20.0; time += 0.5) {
+    for (int id : {1, 2}) {
+      sent(1, id, time, meeting(id, time));
+      if (time >= 12.0) sent(2, 50 + id, time, guess(id, time));
+    }
+    update(time);
+    if (time < 1.0) continue;
+    ASSERT_EQ(fusion.global_of(1, 1), 1) << time;
+    ASSERT_EQ(fusion.global_of(1, 2), 2) << time;
+    EXPECT_LT((tracks[0].state - meeting(1, time)).norm(), 0.1) << time;
+  }
+  EXPECT_EQ(fusion.global_of(2, 51), 1);
+  EXPECT_NEAR(tracks[0].existence, 0.99, 1e-9);  // Both nodes speak again.
+}
+
 TEST_F(TwoNodes, AThirdNodeJoins) {
   run(0.0, 5.0);
   for (double time = 5.5; time <= 8.0; time += 0.5) {

@@ -114,6 +114,19 @@ TEST(LearnedGeometry, CollinearSensorsAndATargetOnASensorStayFinite) {
   }
 }
 
+TEST(LearnedGeometry, OldEstimatesThatAgreeLeaveFiniteWeights) {
+  // Four seconds old, 0.3 m/s of drift each, and alike to the micrometre: all of the difference is age's,
+  // none of it the nodes' own. A variance of zero would divide by zero.
+  LearnedGeometry method({});
+  const std::vector<LocalTrack> alike{tracklet(1, {30, 40, 1, 0}, {0, 0}),
+                                      tracklet(2, {30, 40.000001, 1, 0}, {90, 0})};
+  std::vector<TrackGroup> groups{group({30, 40, 1, 0}, alike)};
+  groups[0].utime = core::microseconds(5.0);
+  for (int k = 0; k < 200; ++k) ASSERT_TRUE(method.fuse(groups).front().state.allFinite()) << k;
+  EXPECT_GT(method.quality(1).range_variance, 0.0);
+  EXPECT_LT(method.quality(1).range_variance, 9.0);  // They agree better than they were thought to.
+}
+
 TEST(LearnedGeometry, TurnsWithTheScene) {
   LearnedGeometry method({}), turned({});
   const std::vector<LocalTrack> tracks{tracklet(1, {30, 40, 1, 2}, {0, 0}),

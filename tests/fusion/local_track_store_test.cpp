@@ -45,6 +45,22 @@ TEST(LocalTrackStore, ASilentTrackLosesItsVoteAfterThreeOfItsNodesIntervals) {
   EXPECT_FALSE(store.votes(track, core::microseconds(7.1)));
 }
 
+TEST(LocalTrackStore, ATrackSkippedTwiceByItsNodeLosesItsVote) {
+  LocalTrackStore store({});
+  const auto votes = [&](double time) {
+    return store.votes(store.tracks().at({1, 1}), core::microseconds(time));
+  };
+  for (int k = 0; k < 4; ++k) {  // Two tracks in turn, each once a second.
+    store.add(estimate(1, 1, k, kState));
+    store.add(estimate(1, 2, k + 0.5, kState));
+  }
+  store.add(estimate(1, 2, 4.5, kState));  // One of the other's turns: a message may have been lost.
+  EXPECT_TRUE(votes(4.5));
+  store.add(estimate(1, 2, 5.5, kState));  // Two; the node takes turns, so the first has ended.
+  EXPECT_FALSE(votes(5.5));
+  EXPECT_TRUE(store.votes(store.tracks().at({1, 2}), core::microseconds(5.5)));
+}
+
 TEST(LocalTrackStore, ForgetsTheLongSilentAndBoundsItsMemory) {
   LocalTrackStoreParams params;
   params.max_tracks = 2;

@@ -67,7 +67,7 @@ TEST(TrackAssociation, KeepsAPairWhereTargetsMeet) {
   TrackAssociation association(AssociationParams{});
   const States globals{{0, 0, 2, 0}, {0.4, 0, 2, 0}}, tracklets{{0.3, 0, 2, 0}, {0.1, 0, 2, 0}};
   EXPECT_EQ(association.associate(tracklets, globals, {}), (std::vector<int>{1, 0}));  // By distance alone.
-  const std::vector<int> before{0, 1};
+  const std::vector<PastSupport> before{{0, false}, {1, false}};
   EXPECT_EQ(association.associate(tracklets, globals, before), (std::vector<int>{0, 1}));
 }
 
@@ -75,10 +75,21 @@ TEST(TrackAssociation, AKeptPairNeedsTheGateAlone) {
   TrackAssociation association(AssociationParams{});
   // 7 m and 1.5 m/s off after a long wait: 0.55 e^-1.4 + 0.35 e^-1.5 + 0.1 = 0.31, short of 0.35.
   const States globals{{7, 0, 2.2, 0}}, tracklets{{0, 0, 0.7, 0}}, far{{20, 0, 2.2, 0}};
-  const std::vector<int> before{0};
+  const std::vector<PastSupport> before{{0, false}};
   EXPECT_EQ(association.associate(tracklets, globals, {}), std::vector<int>{-1});
   EXPECT_EQ(association.associate(tracklets, globals, before), std::vector<int>{0});
   EXPECT_EQ(association.associate(tracklets, far, before), std::vector<int>{-1});
+}
+
+TEST(TrackAssociation, ATrackOfOneVoiceStaysWithItWhateverComesNear) {
+  TrackAssociation association(AssociationParams{});
+  // Its own prediction is 8 m off, another's track stands where the tracklet is: the bonus of a shared track
+  // does not make up for 0.55 (1 - e^-1.6).
+  const States globals{{8, 0, 1, 0}, {0, 0, 1, 0}}, tracklets{{0, 0, 1, 0}};
+  EXPECT_EQ(association.associate(tracklets, globals, std::vector<PastSupport>{{0, false}}),
+            std::vector<int>{1});
+  EXPECT_EQ(association.associate(tracklets, globals, std::vector<PastSupport>{{0, true}}),
+            std::vector<int>{0});
 }
 
 TEST(TrackAssociation, NothingToAssociate) {

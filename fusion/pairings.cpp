@@ -1,0 +1,37 @@
+#include "fusion/pairings.hpp"
+
+namespace lookout::fusion {
+
+bool Pairings::pair(const LocalTrack& local, std::int64_t global_id, bool must_prove) {
+  Pairing& pairing = pairings_[local.key()];
+  const bool began_again = local.heard() < pairing.heard;
+  if (pairing.global_id != global_id || began_again) pairing = {global_id, local.heard(), 0, false};
+  pairing.heard = local.heard();
+  const std::size_t proved = pairing.heard - pairing.since + 1;
+  pairing.votes = pairing.votes || !must_prove || proved >= probation_;
+  return pairing.votes;
+}
+
+std::int64_t Pairings::global_of(const Key& local) const {
+  const auto found = pairings_.find(local);
+  return found == pairings_.end() ? -1 : found->second.global_id;
+}
+
+std::int64_t Pairings::voted_for(const LocalTrack& local) const {
+  const auto found = pairings_.find(local.key());
+  if (found == pairings_.end()) return -1;
+  const Pairing& pairing = found->second;
+  return pairing.votes && local.heard() >= pairing.heard ? pairing.global_id : -1;
+}
+
+void Pairings::rename(std::int64_t ended, std::int64_t kept) {
+  for (auto& [key, pairing] : pairings_) {
+    if (pairing.global_id == ended) pairing.global_id = kept;
+  }
+}
+
+void Pairings::forget_unknown(const LocalTrackStore::Tracks& known) {
+  std::erase_if(pairings_, [&](const auto& entry) { return !known.contains(entry.first); });
+}
+
+}  // namespace lookout::fusion
