@@ -82,6 +82,7 @@ void declare_track(CLI::App& app, Options& options) {
 void declare_fuse(CLI::App& app, Options& options) {
   app.add_option("--method", options.method, "Fusion method (default: the configuration's, else learned)");
   app.add_option("--config", options.config, "Configuration YAML");
+  app.add_option("--seed", options.seed, "Of random draws; no method of today draws")->capture_default_str();
   add_live(app, options);
 }
 
