@@ -138,7 +138,7 @@ std::string YamlMap::text(const std::string& key, const std::string& fallback) c
 
 std::string YamlMap::choice(const std::string& key, const std::string& fallback,
                             const std::vector<std::string>& accepted) const {
-  const std::string value = text(key, fallback);
+  std::string value = text(key, fallback);
   if (std::find(accepted.begin(), accepted.end(), value) == accepted.end() && has(key))
     fail(key, "got `" + value + "`, expected one of: " + joined(accepted));
   return value;
