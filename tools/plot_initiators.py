@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 SWEPT = [("p1", "$P_1$"), ("p2", "$P_2$"), ("p3", "$P_3$"), ("discrimination", "discrimination $D$"),
          ("found", "found"), ("false_per_run", "false tracks a run"), ("time_ms", "time [ms]")]
 LOGARITHMIC = {"time_ms"}
-SITUATIONS = ["I", "II", "III", "IV"]
+SITUATIONS = ["I", "II", "III", "IV", "real"]
 
 
 def rows_of(path):
@@ -116,16 +116,17 @@ def draw_picture(axis, path):
 
 
 def plot_pictures(directory):
+    """One figure a method, a panel for each scene whose accumulator was written."""
     names = sorted({path.stem.split("_", 2)[2] for path in directory.glob("accumulator_*.csv")})
     for name in names:
-        figure, axes = plt.subplots(1, 4, figsize=(16, 4), sharey=True)
-        for axis, situation in zip(axes, SITUATIONS):
-            path = directory / f"accumulator_{situation}_{name}.csv"
-            if path.exists():
-                draw_picture(axis, path)
-            axis.set_title(f"{name}, Situation {situation}")
+        paths = [(situation, directory / f"accumulator_{situation}_{name}.csv") for situation in SITUATIONS]
+        paths = [(situation, path) for situation, path in paths if path.exists()]
+        figure, axes = plt.subplots(1, len(paths), figsize=(4 * len(paths), 4), sharey=True, squeeze=False)
+        for axis, (situation, path) in zip(axes[0], paths):
+            draw_picture(axis, path)
+            axis.set_title(f"{name}, {'Table 3' if situation == 'real' else 'Situation ' + situation}")
             axis.set_xlabel(r"$\theta$ [rad]")
-        axes[0].set_ylabel(r"$\rho$ [m]")
+        axes[0][0].set_ylabel(r"$\rho$ [m]")
         save(figure, directory / f"accumulator_{name}.png")
 
 

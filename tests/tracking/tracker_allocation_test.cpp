@@ -19,12 +19,20 @@ core::PosedScan noisy_scan(int k, int num_false, core::Random& random) {
   return scan_of(k, points);
 }
 
-class TrackerAllocation : public ::testing::TestWithParam<std::string> {};
+/// A tracker and its birth method; empty: its own.
+struct Case {
+  std::string tracker;
+  std::string initiator;
+};
+
+class TrackerAllocation : public ::testing::TestWithParam<Case> {};
 
 TEST_P(TrackerAllocation, NothingPerScanOnceWarm) {
   constexpr int kWarm = 100, kCalm = 40, kCounted = 100;
   constexpr int kManyFalse = 16, kFewFalse = 4;  // buffers follow the densest scans so far
-  const auto tracker = make_tracker(GetParam(), {}, {}, {}, 1);
+  TrackerParams params;
+  params.initiator = GetParam().initiator;
+  const auto tracker = make_tracker(GetParam().tracker, params, {}, {}, 1);
   core::Random random(1001);
   std::size_t allocated = 0;
   for (int k = 0; k < kWarm + kCalm + kCounted; ++k) {
@@ -37,8 +45,9 @@ TEST_P(TrackerAllocation, NothingPerScanOnceWarm) {
 }
 
 // The Kalman baseline is left out: MRPT's engine allocates in every iteration.
-INSTANTIATE_TEST_SUITE_P(Trackers, TrackerAllocation, ::testing::Values("csht", "gnn"),
-                         [](const auto& info) { return info.param; });
+INSTANTIATE_TEST_SUITE_P(Trackers, TrackerAllocation,
+                         ::testing::Values(Case{"csht", ""}, Case{"gnn", ""}, Case{"gnn", "vct"}),
+                         [](const auto& info) { return info.param.tracker + info.param.initiator; });
 
 }  // namespace
 }  // namespace lookout::tracking

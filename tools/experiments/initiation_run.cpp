@@ -50,8 +50,9 @@ InitiationRun run_initiator(const InitiationScene& scene, const std::string& nam
 }
 
 InitiationRun run_sliding(const InitiationScene& scene, const std::string& name,
-                          const tracking::InitiatorConfig& config) {
+                          const tracking::InitiatorConfig& config, int follow_misses) {
   tracking::SlidingParams params;
+  params.follow_misses = follow_misses;
   auto method = tracking::make_initiator(name, config);
   params.window_scans = method->window_scans();
   params.motion.acceleration_sigma = config.acceleration_sigma.value_or(params.motion.acceleration_sigma);

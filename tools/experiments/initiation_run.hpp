@@ -6,6 +6,7 @@
 #include "tools/experiments/experiment.hpp"
 #include "tools/experiments/initiation_score.hpp"
 #include "tracking/initiation/initiator_config.hpp"
+#include "tracking/initiation/sliding_initiator.hpp"
 
 /// What the experiments on track initiators share.
 namespace lookout::tools {
@@ -25,8 +26,10 @@ InitiationRun run_initiator(const InitiationScene& scene, const std::string& nam
                             const tracking::InitiatorConfig& config);
 
 /// The same through every window of `window_scans` scans in turn, each plot in one track only.
+/// @param follow_misses scans without a plot that a started track survives; it claims its plots meanwhile.
 InitiationRun run_sliding(const InitiationScene& scene, const std::string& name,
-                          const tracking::InitiatorConfig& config);
+                          const tracking::InitiatorConfig& config,
+                          int follow_misses = tracking::SlidingParams{}.follow_misses);
 
 /// found (by track), false_per_run, p1, p2, p3 and time_ms; p3 weighted by the declared tracks, which pools
 /// it as the paper does.

@@ -77,6 +77,15 @@ Metrics measure(const Cell& cell, const InitiationScene& scene, const tracking::
   return metrics;
 }
 
+/// The accumulator of a Hough method on a scene, as FILE_METHOD.csv for plot_initiators.py.
+void write_accumulator(const Contender& contender, const InitiationScene& scene,
+                       const tracking::InitiatorConfig& config, const std::string& file) {
+  const InitiationRun run = run_initiator(scene, contender.method, config);
+  write_accumulator_picture(
+      dynamic_cast<const tracking::HoughInitiator&>(*run.method), scene,
+      file + "_" + contender.method + (*contender.variant != '\0' ? "_" : "") + contender.variant + ".csv");
+}
+
 class NhtSimulated : public Experiment {
  public:
   std::string summary() const override {
@@ -144,10 +153,7 @@ void NhtSimulated::write_extras(std::uint64_t seed, const std::string& directory
       const Cell cell = cell_of(contender, situation, "consistent", 10.0);
       core::Random random(seed, core::RandomStream::experiment, 0);
       const InitiationScene scene = fan_scene(scene_of(cell), random);
-      const InitiationRun run = run_initiator(scene, contender.method, config_of(cell, 1.0, 0.0));
-      write_accumulator_picture(dynamic_cast<const tracking::HoughInitiator&>(*run.method), scene,
-                                directory + "/accumulator_" + situation + "_" + contender.method +
-                                    (*contender.variant != '\0' ? "_" : "") + contender.variant + ".csv");
+      write_accumulator(contender, scene, config_of(cell, 1.0, 0.0), directory + "/accumulator_" + situation);
     }
   }
 }
@@ -163,21 +169,42 @@ class NhtReal : public Experiment {
   std::string plot_script() const override { return "plot_initiators.py"; }
   std::vector<Cell> cells() const override;
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
+  void write_extras(std::uint64_t seed, const std::string& directory) const override;
+
+ private:
+  static constexpr double kPicturedClutter = 10.0;  ///< Plots a scan, as the paper's.
+  static Cell cell_of(const Contender& contender, double clutter);
 };
+
+Cell NhtReal::cell_of(const Contender& contender, double clutter) {
+  Cell cell;
+  cell.method = contender.method;
+  cell.parameters = {{"clutter_per_scan", clutter}};
+  if (*contender.variant != '\0') cell.parameters.set("variant", contender.variant);
+  if (clutter == kPicturedClutter)
+    cell.paper = paper_row("fan2018_times.csv", contender.method, "real", {"time_ms"});
+  return cell;
+}
 
 std::vector<Cell> NhtReal::cells() const {
   std::vector<Cell> cells;
   for (const Contender& contender : kContenders) {
-    for (const double clutter : {0.0, 10.0, 50.0, 100.0}) {
-      Cell cell;
-      cell.method = contender.method;
-      cell.parameters = {{"clutter_per_scan", clutter}};
-      if (*contender.variant != '\0') cell.parameters.set("variant", contender.variant);
-      if (clutter == 10.0) cell.paper = paper_row("fan2018_times.csv", contender.method, "real", {"time_ms"});
-      cells.push_back(cell);
-    }
+    for (const double clutter : {0.0, kPicturedClutter, 50.0, 100.0})
+      cells.push_back(cell_of(contender, clutter));
   }
   return cells;
+}
+
+/// The accumulators of the first run, for pictures like the paper's Fig. 14 and 15.
+void NhtReal::write_extras(std::uint64_t seed, const std::string& directory) const {
+  for (const Contender& contender : kContenders) {
+    if (contender.ideal == 0.0) continue;
+    core::Random random(seed, core::RandomStream::experiment, 0);
+    const InitiationScene scene = real_scene(kPicturedClutter, kRealPositionSigma, random);
+    write_accumulator(contender, scene,
+                      config_of(cell_of(contender, kPicturedClutter), kRealPositionSigma, 0.0),
+                      directory + "/accumulator_real");
+  }
 }
 
 Metrics NhtReal::run(const Cell& cell, std::uint64_t seed, int run) const {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/field_of_view.hpp"
-#include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 
@@ -15,8 +13,6 @@ constexpr double kGateProbability = 0.99;  // Share of a track's own echoes that
 constexpr double kVelocityTime =
     5.0;  // A window of this length measures a velocity to range_sigma / 5 s or so [s].
 constexpr double kShareOfPlots = 0.6;          // K of N where P_M is not known.
-constexpr double kMeanForgets = 0.05;          // Of the mean number of returns, per scan.
-constexpr double kNearestShare = 0.02;         // Of the range; nearer, the density of clutter grows no more.
 constexpr double kFalseTracksPerScan = 0.003;  // At two scans a second, one in about three minutes.
 constexpr double kAccelerationSigma = 0.1;     // [m/s^2], as the trackers'.
 constexpr int kLongestWindow = 20;             // Scans: [Yan2018] section V.A.
@@ -70,43 +66,22 @@ InitiatorBirth::InitiatorBirth(const std::string& initiator, const InitiatorConf
 
 std::span<const core::MotionElement> InitiatorBirth::propose(const core::PosedScan& scan,
                                                              std::span<const core::Track> tracks) {
-  if (!has_origin_) {
-    has_origin_ = true;
-    first_utime_ = scan.scan.utime;
-    origin_ = {scan.T_earth_sonar.north, scan.T_earth_sonar.east};
-    returns_per_scan_ = static_cast<double>(scan.scan.returns.size());
+  if (!has_begun_) first_utime_ = scan.scan.utime;
+  has_begun_ = true;
+  plots_.clear();
+  for (const Plot& plot : echoes_.of(scan, sonar_)) {
+    if (!explained(plot, tracks)) plots_.push_back(plot);
   }
-  collect_plots(scan, core::with_geometry_of(scan.scan, sonar_), tracks);
   const StartedTracks& started = sliding_->add_scan(core::seconds(scan.scan.utime - first_utime_), plots_);
   elements_.clear();
   for (const StartedTrack& track : started.tracks) elements_.push_back(element_of(started, track, scan));
   return elements_;
 }
 
-/// The echoes that no track explains, with the density of clutter of a sonar: even over range and bearing, so
-/// that it falls with range.
-void InitiatorBirth::collect_plots(const core::PosedScan& scan, const core::SonarParams& sonar,
-                                   std::span<const core::Track> tracks) {
-  csht::scan_to_detections(scan, 0, detections_);
-  returns_per_scan_ += kMeanForgets * (static_cast<double>(detections_.size()) - returns_per_scan_);
-  const double sector = sonar.num_beams * sonar.bearing_step;
-  const double per_range = std::max(returns_per_scan_, 1.0) / (sector * sonar.max_range);
-  plots_.clear();
-  for (const core::Detection& detection : detections_) {
-    Plot plot;
-    plot.position = detection.p_earth;
-    plot.noise = position_noise(detection, sonar);
-    if (explained(plot, tracks)) continue;
-    plot.position -= origin_;
-    plot.clutter_density = per_range / std::max(detection.range, kNearestShare * sonar.max_range);
-    plots_.push_back(plot);
-  }
-}
-
 bool InitiatorBirth::explained(const Plot& plot, std::span<const core::Track> tracks) const {
   return std::any_of(tracks.begin(), tracks.end(), [&](const core::Track& track) {
     const Eigen::Matrix2d covariance = track.covariance.topLeftCorner<2, 2>() + plot.noise;
-    return squared_distance(plot.position - track.position(), covariance) <= gate_;
+    return squared_distance(plot.position + echoes_.p_earth_origin() - track.position(), covariance) <= gate_;
   });
 }
 
@@ -119,8 +94,8 @@ core::MotionElement InitiatorBirth::element_of(const StartedTracks& started, con
   predict(ahead, now - track.last_time, MotionModelParams{kAccelerationSigma});
   core::MotionElement element;
   element.initial_utime = first_utime_ + core::microseconds(track.first_time);
-  element.initial_position = track.initial_position() + origin_;
-  element.position = ahead.position() + origin_;
+  element.initial_position = track.initial_position() + echoes_.p_earth_origin();
+  element.position = ahead.position() + echoes_.p_earth_origin();
   element.velocity = ahead.velocity();
   element.covariance = ahead.covariance;
   element.score = track.score;

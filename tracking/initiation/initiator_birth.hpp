@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "core/detection.hpp"
 #include "core/sonar_params.hpp"
 #include "tracking/birth.hpp"
 #include "tracking/initiation/initiator_config.hpp"
 #include "tracking/initiation/sliding_initiator.hpp"
+#include "tracking/initiation/sonar_plots.hpp"
 
 namespace lookout::tracking {
 
@@ -30,8 +30,6 @@ class InitiatorBirth : public BirthMethod {
                                                std::span<const core::Track> tracks) override;
 
  private:
-  void collect_plots(const core::PosedScan& scan, const core::SonarParams& sonar,
-                     std::span<const core::Track> tracks);
   bool explained(const Plot& plot, std::span<const core::Track> tracks) const;
   core::MotionElement element_of(const StartedTracks& started, const StartedTrack& track,
                                  const core::PosedScan& scan) const;
@@ -40,11 +38,9 @@ class InitiatorBirth : public BirthMethod {
   std::unique_ptr<SlidingInitiator> sliding_;
   double gate_;
   std::int64_t first_utime_ = 0;  ///< Zero of the plots' time [us].
-  bool has_origin_ = false;
-  Eigen::Vector2d origin_{0, 0};   ///< Of the plots, north, east [m].
-  double returns_per_scan_ = 0.0;  ///< Slow mean.
-  std::vector<core::Detection> detections_;
-  std::vector<Plot> plots_;
+  bool has_begun_ = false;
+  SonarPlots echoes_;
+  std::vector<Plot> plots_;  ///< Those that no track explains.
   std::vector<core::MotionElement> elements_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -55,13 +56,14 @@ NhtPlusInitiator::NhtPlusInitiator(const NhtPlusParams& params)
 
 const StartedTracks& NhtPlusInitiator::start(const PlotWindow& window) {
   started_.clear();
-  votes_.clear();
+  cells_.clear();
+  strong_.clear();
   pairs_.clear();
   num_peaks_ = 0;
   if (window.num_scans() < 3 || window.num_plots() < 3) return started_;
   prepare(window);
   if (!vote(window)) return started_;
-  find_peaks(window);
+  find_peaks();
   declare(window);
   return started_;
 }
@@ -81,6 +83,7 @@ void NhtPlusInitiator::prepare(const PlotWindow& window) {
   grid_ = {static_cast<int>(columns), 2 * static_cast<int>(half_rows), half_rows * rho_step};
   layer_step_ = 0.5 * params_.speed_bin_sigmas * std::numbers::sqrt2 * sigma / longest_step(window);
   max_layer_ = static_cast<int>(std::ceil(params_.speeds.max / layer_step_)) + 1;
+  least_peak_ = params_.peak_threshold * (window.num_scans() - 1);
 }
 
 NhtPlusInitiator::PairVote NhtPlusInitiator::measured(const PlotWindow& window, const PairPoint& pair) const {
@@ -90,7 +93,8 @@ NhtPlusInitiator::PairVote NhtPlusInitiator::measured(const PlotWindow& window, 
   const double sigma = params_.acceleration_factor * std::sqrt(0.25 * (a.noise + b.noise).trace());
   return {pair,         0.5 * (a.position + b.position) - origin_,
           displacement, b.time - a.time,
-          sigma,        std::min(std::numbers::sqrt2 * sigma / displacement.norm(), std::numbers::pi / 4)};
+          sigma,        std::min(std::numbers::sqrt2 * sigma / displacement.norm(), std::numbers::pi / 4),
+          b.scan};
 }
 
 bool NhtPlusInitiator::vote(const PlotWindow& window) {
@@ -100,25 +104,48 @@ bool NhtPlusInitiator::vote(const PlotWindow& window) {
       pairs_.push_back(measured(window, pair));
   }
   if (formation_.exceeded()) started_.refusal = formation_.refusal();
-  for (const PairVote& pair : pairs_) {
-    if (!started_.refusal.empty()) return false;
-    vote_pair(pair, window.plot(pair.pair.newer).scan);
-    if (votes_.entries().size() > kMaxCells)
-      started_.refusal =
-          "more than " + std::to_string(kMaxCells) + " cells with votes; use vct, or fewer plots";
+  if (!started_.refusal.empty()) return false;
+  sort_by_column();
+  for (std::size_t column = 0; column + 1 < first_vote_.size(); ++column) {
+    for (std::size_t i = first_vote_[column]; i < first_vote_[column + 1]; ++i)
+      vote_column(pairs_[static_cast<std::size_t>(column_votes_[i].pair)], column_votes_[i].column);
+    keep_column();
+    if (cells_.size() <= kMaxCells) continue;
+    started_.refusal =
+        "more than " + std::to_string(kMaxCells) + " cells with votes; use vct, or fewer plots";
+    return false;
   }
-  return started_.refusal.empty();
+  return true;
 }
 
-void NhtPlusInitiator::vote_pair(const PairVote& pair, int step) {
+template <class Visit>
+void NhtPlusInitiator::for_each_column(const PairVote& pair, const Visit& visit) const {
   const double reach = params_.reach_sigmas * pair.theta_sigma;
   const int first = static_cast<int>(std::ceil((pair.pair.line.theta - reach) / grid_.theta_step() - 0.5));
   const int last = static_cast<int>(std::floor((pair.pair.line.theta + reach) / grid_.theta_step() - 0.5));
-  for (int column = first; column <= last; ++column) vote_column(pair, step, column);
+  for (int column = first; column <= last; ++column)
+    visit(column, static_cast<std::size_t>(grid_.wrapped({column, 0}).theta));
+}
+
+/// A counting sort, which leaves the pairs of one column in order of their step.
+void NhtPlusInitiator::sort_by_column() {
+  first_vote_.assign(static_cast<std::size_t>(grid_.num_theta()) + 1, 0);
+  for (const PairVote& pair : pairs_)
+    for_each_column(pair, [&](int, std::size_t wrapped) { ++first_vote_[wrapped + 1]; });
+  std::partial_sum(first_vote_.begin(), first_vote_.end(), first_vote_.begin());
+  column_votes_.resize(first_vote_.back());
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    for_each_column(pairs_[i], [&](int column, std::size_t wrapped) {
+      column_votes_[first_vote_[wrapped]++] = {static_cast<int>(i), column};
+    });
+  }
+  // Each entry now tells where its column ends, that is, where the next one begins.
+  std::shift_right(first_vote_.begin(), first_vote_.end(), 1);
+  first_vote_.front() = 0;
 }
 
 /// The lines of one direction near the pair's middle, each at the two speed bins around the pair's speed.
-void NhtPlusInitiator::vote_column(const PairVote& pair, int step, int column) {
+void NhtPlusInitiator::vote_column(const PairVote& pair, int column) {
   const double theta = grid_.theta_of(column);
   const csht::NormalLine through_middle{pair.middle.dot(csht::NormalLine{0.0, theta}.normal()), theta};
   const double turn = (theta - pair.pair.line.theta) / pair.theta_sigma;
@@ -134,8 +161,8 @@ void NhtPlusInitiator::vote_column(const PairVote& pair, int step, int column) {
     const double weight = std::exp(-0.5 * (turn * turn + shift * shift));
     // Over the end of theta the direction of the line, and with it the sign of the speed, turns about.
     const int sign = cell.theta == column ? 1 : -1;
-    votes_.raise(key_of(cell, sign * layer), step, weight);
-    votes_.raise(key_of(cell, sign * (layer + 1)), step, weight);
+    column_.raise(key_of(cell, sign * layer), pair.step, weight);
+    column_.raise(key_of(cell, sign * (layer + 1)), pair.step, weight);
   }
 }
 
@@ -143,10 +170,19 @@ std::int64_t NhtPlusInitiator::key_of(const csht::LineCell& cell, int layer) con
   return grid_.index(cell) * (2 * max_layer_ + 1) + std::clamp(layer, -max_layer_, max_layer_) + max_layer_;
 }
 
-csht::LineVote NhtPlusInitiator::vote_at(const csht::SparseAccumulator::Entry& entry) const {
+void NhtPlusInitiator::keep_column() {
   const int layers = 2 * max_layer_ + 1;
-  return {grid_.cell_at(entry.key / layers), entry.total(),
-          static_cast<int>(entry.key % layers) - max_layer_};
+  for (const auto& entry : column_.entries()) {
+    cells_.push_back({grid_.cell_at(entry.key / layers), entry.total(),
+                      static_cast<int>(entry.key % layers) - max_layer_});
+    if (entry.total() >= least_peak_) strong_.add(entry.key, entry.total());
+  }
+  column_.clear();
+}
+
+/// Value of a cell that could be a peak, 0 of the others: a weaker one suppresses none.
+double NhtPlusInitiator::strong_value(const csht::LineCell& cell, int layer) const {
+  return grid_.contains(cell) ? strong_.value(key_of(cell, layer)) : 0.0;
 }
 
 bool NhtPlusInitiator::is_local_maximum(const csht::LineVote& vote) const {
@@ -154,22 +190,17 @@ bool NhtPlusInitiator::is_local_maximum(const csht::LineVote& vote) const {
     for (int j = -1; j <= 1; ++j) {
       const csht::LineCell beside = grid_.wrapped({vote.cell.theta + i, vote.cell.rho + j});
       const bool turned = vote.cell.theta + i != beside.theta;
-      if (grid_.contains(beside) &&
-          votes_.value(key_of(beside, turned ? -vote.layer : vote.layer)) > vote.value)
-        return false;
+      if (strong_value(beside, turned ? -vote.layer : vote.layer) > vote.value) return false;
     }
   }
   return true;
 }
 
 /// Local maxima above the threshold, one per neighbourhood of a line at the grid's own fineness.
-void NhtPlusInitiator::find_peaks(const PlotWindow& window) {
+void NhtPlusInitiator::find_peaks() {
   candidates_.clear();
-  const double least = params_.peak_threshold * (window.num_scans() - 1);
-  for (const auto& entry : votes_.entries()) {
-    if (entry.total() < least) continue;
-    const csht::LineVote vote = vote_at(entry);
-    if (is_local_maximum(vote)) candidates_.push_back(vote);
+  for (const csht::LineVote& cell : cells_) {
+    if (cell.value >= least_peak_ && is_local_maximum(cell)) candidates_.push_back(cell);
   }
   csht::PeakParams peaks;
   peaks.theta_radius = static_cast<int>(std::ceil(params_.theta_cells_per_sigma));
@@ -219,7 +250,7 @@ void NhtPlusInitiator::declare_peak(const PlotWindow& window, const csht::LineVo
 }
 
 void NhtPlusInitiator::append_cells(std::vector<csht::LineVote>& cells) const {
-  for (const auto& entry : votes_.entries()) cells.push_back(vote_at(entry));
+  cells.insert(cells.end(), cells_.begin(), cells_.end());
 }
 
 std::unique_ptr<Initiator> make_nht_plus(const InitiatorConfig& config) {

@@ -32,7 +32,8 @@ struct NhtPlusParams {
 /// Pairs of plots vote for lines as far as their noise lets the line turn about the pair's middle, and for
 /// their speed along it; a cell gets the largest vote of each step. The origin is the middle of the window,
 /// so that no lever arm enters. A peak whose plots fit one constant velocity is a track; one plot serves one
-/// track. Cost: pairs x cells of their neighbourhood. Refuses windows of more than `kMaxVotes` votes.
+/// track. Cost: pairs x cells of their neighbourhood, taken column by column so that the cells at hand stay
+/// in the cache. Refuses windows of more than `kMaxPairs` pairs or `kMaxCells` cells.
 class NhtPlusInitiator : public HoughInitiator {
  public:
   static constexpr std::size_t kMaxPairs = 100'000;     ///< A few seconds.
@@ -56,18 +57,27 @@ class NhtPlusInitiator : public HoughInitiator {
     double seconds = 0.0;
     double sigma = 0.0;        ///< Of one plot [m].
     double theta_sigma = 0.0;  ///< Of the direction [rad].
+    int step = 0;              ///< Scan of the newer plot.
+  };
+  /// A pair votes in a column; off the grid where the column is beyond an end of theta.
+  struct ColumnVote {
+    int pair = 0;
+    int column = 0;
   };
 
   void prepare(const PlotWindow& window);
   bool vote(const PlotWindow& window);
   PairVote measured(const PlotWindow& window, const PairPoint& pair) const;
-  void vote_pair(const PairVote& pair, int step);
-  void vote_column(const PairVote& pair, int step, int column);
+  template <class Visit>
+  void for_each_column(const PairVote& pair, const Visit& visit) const;
+  void sort_by_column();
+  void vote_column(const PairVote& pair, int column);
+  void keep_column();
   double agreement(const PairVote& pair, const csht::NormalLine& line, double speed) const;
   std::int64_t key_of(const csht::LineCell& cell, int layer) const;
-  csht::LineVote vote_at(const csht::SparseAccumulator::Entry& entry) const;
+  double strong_value(const csht::LineCell& cell, int layer) const;
   bool is_local_maximum(const csht::LineVote& vote) const;
-  void find_peaks(const PlotWindow& window);
+  void find_peaks();
   void declare(const PlotWindow& window);
   void declare_peak(const PlotWindow& window, const csht::LineVote& peak);
 
@@ -77,8 +87,13 @@ class NhtPlusInitiator : public HoughInitiator {
   Eigen::Vector2d origin_{0, 0};
   double layer_step_ = 1.0;  ///< Half of a speed bin [m/s]: bins overlap by half.
   int max_layer_ = 0;
-  csht::SparseAccumulator votes_;
+  double least_peak_ = 0.0;
   std::vector<PairVote> pairs_;
+  std::vector<ColumnVote> column_votes_;  ///< Of all pairs, in order of the wrapped column.
+  std::vector<std::size_t> first_vote_;   ///< Of each column, and one past the last.
+  csht::SparseAccumulator column_;        ///< The column at hand.
+  std::vector<csht::LineVote> cells_;     ///< All cells with votes.
+  csht::SparseAccumulator strong_;        ///< Those that could be a peak.
   std::vector<csht::LineVote> candidates_;
   std::size_t num_peaks_ = 0;
   std::vector<char> used_;

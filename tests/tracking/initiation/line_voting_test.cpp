@@ -1,0 +1,51 @@
+#include "tracking/initiation/line_voting.hpp"
+
+#include <gtest/gtest.h>
+
+namespace lookout::tracking {
+namespace {
+
+const csht::LineGrid kGrid(100, 200, 1000.0);
+
+std::span<const csht::LineVote> declared(const csht::SparseAccumulator& votes,
+                                         std::vector<csht::LineVote>& candidates) {
+  LineVotingParams params;
+  params.theta_step = kGrid.theta_step();
+  params.rho_step = kGrid.rho_step();
+  return declared_lines(kGrid, votes, params, candidates);
+}
+
+TEST(LineVoting, ANeighbourhoodIsTwoTolerancesWide) {
+  const LineVotingParams params;  // e_r = 20 m over cells of 5 m; 0.004 over 0.001 rad: [Fan2018] Eq. (28).
+  EXPECT_EQ(params.rho_radius(), 8);
+  EXPECT_EQ(params.theta_radius(), 8);
+}
+
+TEST(LineVoting, DeclaresPeaksAboveHalfOfTheHighestOneANeighbourhood) {
+  csht::SparseAccumulator votes;
+  votes.add(kGrid.index({10, 50}), 6.0);   // The highest,
+  votes.add(kGrid.index({11, 50}), 5.0);   // one beside it,
+  votes.add(kGrid.index({60, 120}), 3.0);  // another of just half,
+  votes.add(kGrid.index({80, 20}), 2.9);   // and one of less.
+  std::vector<csht::LineVote> candidates;
+  const auto lines = declared(votes, candidates);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines[0].cell, (csht::LineCell{10, 50}));
+  EXPECT_EQ(lines[1].cell, (csht::LineCell{60, 120}));
+}
+
+TEST(LineVoting, ANeighbourhoodGoesOverTheEndOfTheta) {
+  csht::SparseAccumulator votes;
+  votes.add(kGrid.index({99, 149}), 6.0);  // One column further is column 0 with row 199 - 149 = 50.
+  votes.add(kGrid.index({0, 50}), 5.0);
+  std::vector<csht::LineVote> candidates;
+  EXPECT_EQ(declared(votes, candidates).size(), 1u);
+}
+
+TEST(LineVoting, NothingIsDeclaredWhereNothingVoted) {
+  std::vector<csht::LineVote> candidates;
+  EXPECT_TRUE(declared({}, candidates).empty());
+}
+
+}  // namespace
+}  // namespace lookout::tracking

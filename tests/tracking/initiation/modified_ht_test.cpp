@@ -1,0 +1,43 @@
+#include "tracking/initiation/modified_ht.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace lookout::tracking {
+namespace {
+
+/// Tracks of one triple 5 s apart: a leg of 2500 m along the first axis, then one of `length` turned by
+/// `turn` degrees.
+std::size_t tracks_of(double turn, double length) {
+  const double angle = turn * std::numbers::pi / 180.0;
+  PlotWindow window;
+  Plot plot;
+  for (const Eigen::Vector2d& step : {Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(2500.0, 0.0),
+                                      Eigen::Vector2d(length * std::cos(angle), length * std::sin(angle))}) {
+    window.begin_scan(5.0 * window.num_scans());
+    plot.position += step;
+    window.add(plot);
+  }
+  return make_modified_ht({})->start(window).tracks.size();
+}
+
+TEST(ModifiedHt, ZeroCrossingsMayBeThirtyColumnsApart) {
+  EXPECT_EQ(tracks_of(26.9, 2500.0), 1u);  // 30 columns of 0.9 degrees.
+  EXPECT_EQ(tracks_of(27.1, 2500.0), 0u);
+  EXPECT_EQ(tracks_of(-26.9, 2500.0), 1u);
+}
+
+TEST(ModifiedHt, TheMotionDoesNotReverse) {
+  EXPECT_EQ(tracks_of(180.0, 2500.0), 0u);  // The same line, so the same crossing.
+}
+
+TEST(ModifiedHt, BothLegsKeepTheSpeedLimits) {
+  EXPECT_EQ(tracks_of(0.0, 5.0 * 332.0), 0u);  // [Zeng2023]: 333 to 750 m/s.
+  EXPECT_EQ(tracks_of(0.0, 5.0 * 334.0), 1u);
+  EXPECT_EQ(tracks_of(0.0, 5.0 * 751.0), 0u);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

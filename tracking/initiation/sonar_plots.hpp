@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/detection.hpp"
+#include "core/sonar_params.hpp"
+#include "core/sonar_scan.hpp"
+#include "tracking/initiation/plot_window.hpp"
+
+namespace lookout::tracking {
+
+/// The echoes of a sonar as an initiator takes them: positions around the sonar's place at its first scan,
+/// the noise of each, and the density of clutter, which falls with range, since clutter is even over range
+/// and bearing.
+class SonarPlots {
+ public:
+  /// The echoes of one scan, whose geometry wins over that of `sonar`; valid until the next call.
+  std::span<const Plot> of(const core::PosedScan& scan, const core::SonarParams& sonar);
+
+  const Eigen::Vector2d& p_earth_origin() const { return p_earth_origin_; }  ///< Of the plots [m].
+
+ private:
+  bool has_origin_ = false;
+  Eigen::Vector2d p_earth_origin_{0, 0};
+  double returns_per_scan_ = 0.0;  ///< Slow mean.
+  std::vector<core::Detection> detections_;
+  std::vector<Plot> plots_;
+};
+
+}  // namespace lookout::tracking
