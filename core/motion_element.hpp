@@ -16,6 +16,8 @@ struct MotionElement {
   double score = 0.0;           ///< The method's own ranking, larger is better.
   double existence = 1.0;       ///< Probability that the target exists; 1 from methods without one.
   int support = 0;              ///< Detections that belong to it.
+  bool of_known_track = false;  ///< Accepted only because a track was offered: no proof of a new target. Not
+                                ///< on the wire.
 
   /// (north, east, north velocity, east velocity) at the newest scan.
   Eigen::Vector4d state() const { return {position.x(), position.y(), velocity.x(), velocity.y()}; }

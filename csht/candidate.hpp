@@ -16,7 +16,7 @@ struct Candidate {
   std::array<int, kMaxWindowScans> own = none();         ///< Per scan the index of its sample, -1 for none.
   int support = 0;                                       ///< How many scans have a sample of its own.
   double log_evidence = 0.0;
-  bool offered = false;  ///< Comes from a confirmed track.
+  bool offered = false;  ///< Comes from a confirmed track; once accepted: would not have been without it.
 
   static constexpr std::array<int, kMaxWindowScans> none() {
     std::array<int, kMaxWindowScans> own{};

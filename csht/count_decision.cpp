@@ -37,6 +37,7 @@ CountDecision::CountDecision(const CountDecisionParams& params) : params_(params
   require(params.edge >= 0.0 && params.edge <= 0.5, "edge must be in [0, 0.5]", params.edge);
   require(params.targets_in_view > 0.0, "targets_in_view must be > 0", params.targets_in_view);
   require(params.prior_speed > 0.0, "prior_speed must be > 0", params.prior_speed);
+  require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
 }
 
 void CountDecision::prepare(const HoughWindow& window) {
@@ -119,17 +120,29 @@ double CountDecision::beam_term(const HoughWindow& window, std::size_t scan, int
 double CountDecision::log_prior_volume(const Candidate& candidate, const core::SonarParams& sonar) const {
   const double sector = std::min(sonar.num_beams * sonar.bearing_step, 2.0 * kPi);
   const double area = 0.5 * sector * sonar.max_range * sonar.max_range;
-  const double velocities = kPi * params_.prior_speed * params_.prior_speed;
   return 0.5 * std::log(candidate.covariance.determinant()) + 2.0 * std::log(2.0 * kPi) +
-         std::log(params_.targets_in_view / (area * velocities));
+         std::log(params_.targets_in_view / area) + log_velocity_density(candidate.state.tail<2>());
+}
+
+/// ln of the prior density of a velocity [1/(m/s)^2].
+double CountDecision::log_velocity_density(const Eigen::Vector2d& velocity) const {
+  const double variance = params_.velocity_sigma * params_.velocity_sigma;
+  if (variance > 0.0) return -std::log(2.0 * kPi * variance) - 0.5 * velocity.squaredNorm() / variance;
+  return -std::log(kPi * params_.prior_speed * params_.prior_speed);
 }
 
 bool CountDecision::accepts(const Candidate& candidate, int best_support) const {
-  const bool enough =
-      candidate.support >= (candidate.offered ? params_.offered_support : params_.min_support);
-  const bool evident =
-      candidate.log_evidence > (candidate.offered ? params_.offered_evidence : params_.min_evidence);
-  return enough && evident && candidate.support >= params_.relative_support * best_support;
+  if (!candidate.offered) return accepts_as_new(candidate, best_support);
+  return enough(candidate, params_.offered_support, params_.offered_evidence, best_support);
+}
+
+bool CountDecision::accepts_as_new(const Candidate& candidate, int best_support) const {
+  return enough(candidate, params_.min_support, params_.min_evidence, best_support);
+}
+
+bool CountDecision::enough(const Candidate& candidate, int support, double evidence, int best_support) const {
+  return candidate.support >= support && candidate.log_evidence > evidence &&
+         candidate.support >= params_.relative_support * best_support;
 }
 
 }  // namespace lookout::csht

@@ -21,6 +21,8 @@ struct CountDecisionParams {
   double edge = 0.1;  ///< So near to its beam's edge [beams] the echo may lie next door, in [0, .5].
   double targets_in_view = 2.0;  ///< Prior mean number of targets in the field of view, > 0.
   double prior_speed = 5.0;      ///< Their speeds are spread over a disc of this radius [m/s], > 0.
+  double velocity_sigma = 0.0;   ///< Above 0: normal instead, with this deviation on each axis [m/s], as in
+                                ///< the fit; >= 0.
 };
 
 /// Decides which candidates are targets, after both axes: the log evidence of a target against clutter, from
@@ -42,6 +44,9 @@ class CountDecision {
   /// Whether the evidence and the support suffice, `best_support` being that of the best target so far.
   bool accepts(const Candidate& candidate, int best_support) const;
 
+  /// Whether they suffice for a new target, for which no track speaks.
+  bool accepts_as_new(const Candidate& candidate, int best_support) const;
+
  private:
   /// What the window says of its own rates, given one candidate.
   struct Rates {
@@ -60,6 +65,8 @@ class CountDecision {
   double beam_term(const HoughWindow& window, std::size_t scan, int beam, double range,
                    const std::vector<char>& free, const Rates& rates) const;
   double log_prior_volume(const Candidate& candidate, const core::SonarParams& sonar) const;
+  double log_velocity_density(const Eigen::Vector2d& velocity) const;
+  bool enough(const Candidate& candidate, int support, double evidence, int best_support) const;
 
   CountDecisionParams params_;
   std::vector<int> reported_;  ///< Scans x beams: index of the beam's sample, -1 for silence.

@@ -19,8 +19,11 @@ CshtParams completed(CshtParams params, const core::SonarParams& sonar) {
           "first_estimate_scans must be 1 to window_scans", params.first_estimate_scans);
   require(params.passes > 0, "passes must be > 0", params.passes);
   require(params.top_speed > 0.0, "top_speed must be > 0", params.top_speed);
+  require(params.speed_prior >= 0.0, "speed_prior must be >= 0", params.speed_prior);
   params.refit.max_speed = params.top_speed * sonar.max_speed;
+  params.refit.velocity_sigma = params.speed_prior * sonar.max_speed;
   params.decision.prior_speed = sonar.max_speed;
+  params.decision.velocity_sigma = params.refit.velocity_sigma;
   return params;
 }
 

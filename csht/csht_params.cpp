@@ -8,6 +8,7 @@ namespace lookout::csht {
 CshtParams CshtParams::tracking() {
   CshtParams params;
   params.intercept_step = 0.7;
+  params.speed_prior = 0.5;       // a velocity spread evenly over the disc of max_speed has this deviation
   params.classes.max_first = 12;  // tracks are offered back: more classes cost time and gain nothing
   params.classes.threshold.floor = 2.0;
   params.classes.threshold.mean_root = 1.0;

@@ -20,12 +20,14 @@ struct CshtParams {
   double velocity_step = 0.7;    ///< Of the grid, in range sigma / half the window's duration, > 0.
   double cross_floor = 0.2;      ///< Added to the error across the line of sight [m], >= 0.
   double top_speed = 4.0 / 3.0;  ///< Fastest fit, in the sensor's max_speed (that of one axis), > 0.
+  double speed_prior = 0.0;  ///< Standard deviation of a target's velocity on each axis before it is heard,
+                             ///< in the sensor's max_speed; 0: no prior in the fit.
   VoteParams votes;
   LineClassesParams classes;
   SpatialCorrelationParams correlation;
   SingleLineParams single_line;
-  RefitParams refit;             ///< Its max_speed comes from `top_speed`.
-  CountDecisionParams decision;  ///< Its prior_speed comes from the sensor's max_speed.
+  RefitParams refit;  ///< Its max_speed comes from `top_speed`, its velocity_sigma from `speed_prior`.
+  CountDecisionParams decision;  ///< Its prior_speed and velocity_sigma likewise.
 
   /// One full window in which every target is present: the set of the window tables.
   static CshtParams window() { return {}; }

@@ -15,6 +15,7 @@ core::MotionElement to_element(const Candidate& candidate, const HoughWindow& wi
   element.covariance = transition * candidate.covariance * transition.transpose();
   element.score = candidate.log_evidence;
   element.support = candidate.support;
+  element.of_known_track = candidate.offered;
   return element;
 }
 

@@ -24,6 +24,7 @@ int Ownership::accept(std::vector<Candidate>& candidates, const HoughWindow& win
     const Candidate* const winner = best(candidates);
     if (winner == nullptr) return count;
     accepted_.push_back(*winner);
+    accepted_.back().offered = !decision_.accepts_as_new(*winner, best_support_);
     best_support_ = std::max(best_support_, winner->support);
     take_samples(accepted_.back());
     refit_touched(candidates, window);

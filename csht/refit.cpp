@@ -16,13 +16,17 @@ Refit::Refit(const RefitParams& params) : params_(params) {
     throw std::invalid_argument("min_support must be >= 2, got " + std::to_string(params.min_support));
   if (!(params.max_speed > 0.0))
     throw std::invalid_argument("max_speed must be > 0, got " + std::to_string(params.max_speed));
+  if (!(params.velocity_sigma >= 0.0))
+    throw std::invalid_argument("velocity_sigma must be >= 0, got " + std::to_string(params.velocity_sigma));
 }
 
 bool Refit::fit(Candidate& candidate, const HoughWindow& window, double epoch,
                 const std::vector<char>& free) const {
   for (const double slack : params_.slack) {
     choose_samples(candidate, window, epoch, free, slack);
-    if (candidate.support < params_.min_support || !least_squares(candidate, window, epoch)) return false;
+    if (candidate.support < params_.min_support ||
+        !least_squares(candidate, window, epoch, params_.velocity_sigma))
+      return false;
   }
   return candidate.state.tail<2>().norm() <= params_.max_speed;
 }
@@ -48,7 +52,7 @@ void Refit::choose_samples(Candidate& candidate, const HoughWindow& window, doub
   }
 }
 
-bool least_squares(Candidate& candidate, const HoughWindow& window, double epoch) {
+bool least_squares(Candidate& candidate, const HoughWindow& window, double epoch, double velocity_sigma) {
   Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
   for (std::size_t s = 0; s < window.scans().size(); ++s) {
@@ -65,6 +69,8 @@ bool least_squares(Candidate& candidate, const HoughWindow& window, double epoch
     right.head<2>() += weighted;
     right.tail<2>() += t * weighted;
   }
+  if (velocity_sigma > 0.0)
+    information.bottomRightCorner<2, 2>() += Eigen::Matrix2d::Identity() / (velocity_sigma * velocity_sigma);
   information.bottomLeftCorner<2, 2>() = information.topRightCorner<2, 2>().transpose();
   const Eigen::LLT<Eigen::Matrix4d> factor(information);
   if (factor.info() != Eigen::Success) return false;

@@ -15,6 +15,7 @@ struct RefitParams {
   double gate = 7.0;    ///< Largest squared distance of an own sample (chi-square, 2 degrees), > 0.
   int min_support = 3;  ///< Own scans that a fit needs, >= 2.
   double max_speed = 5.0 * 4.0 / 3.0;  ///< Faster fits are refused [m/s], > 0.
+  double velocity_sigma = 0.0;         ///< A priori, on each axis about zero [m/s], >= 0; 0: no prior.
 };
 
 /// Least squares in (north, east, north velocity, east velocity) on a candidate's own samples: the nearest
@@ -38,7 +39,10 @@ class Refit {
   RefitParams params_;
 };
 
-/// Weighted least squares on the candidate's own samples. @return false where they do not fix the state.
-bool least_squares(Candidate& candidate, const HoughWindow& window, double epoch);
+/// Weighted least squares on the candidate's own samples and, where `velocity_sigma` [m/s] is above 0, on a
+/// velocity of 0 +- velocity_sigma: three echoes in a second leave the velocity open to several m/s.
+/// @return false where they do not fix the state.
+bool least_squares(Candidate& candidate, const HoughWindow& window, double epoch,
+                   double velocity_sigma = 0.0);
 
 }  // namespace lookout::csht

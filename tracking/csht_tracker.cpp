@@ -72,7 +72,8 @@ void CshtTracker::smooth(const core::SonarParams& sonar) {
 void CshtTracker::begin_on_new_elements(const core::PosedScan& scan, const core::SonarParams& sonar) {
   for (std::size_t j = 0; j < elements_.size(); ++j) {
     const core::MotionElement& element = elements_[j];
-    if (explained_[j] || element.existence < params_.min_existence) continue;
+    const bool is_new = !explained_[j] && !element.of_known_track;
+    if (!is_new || element.existence < params_.min_existence) continue;
     // What leaves the field of view before it was ever reported is not begun any more.
     if (!core::observe(sonar, scan.T_earth_sonar, element.position).visible()) continue;
     book_.begin(scan.scan.utime, element.state(), element.covariance);

@@ -17,12 +17,12 @@ namespace lookout::tracking {
 
 /// The stages of the faithful tracker.
 struct CshtTrackerParams {
-  ElementGate element_gate;        ///< See there.
+  ElementGate element_gate;         ///< See there.
   double gate_probability = 0.999;  ///< Share of own echoes inside the sample gate, in (0, 1).
-  MotionModelParams motion;        ///< See there.
-  WindowSmootherParams smoother;   ///< See there.
-  TrackLifeParams life;            ///< Reported at once; drop rule min(5, 1 + .2 hits).
-  double min_existence = 0.5;      ///< Elements below it are false targets, in [0, 1].
+  MotionModelParams motion{.acceleration_sigma = 0.005};  ///< Small: the window catches what turns.
+  WindowSmootherParams smoother;                          ///< See there.
+  TrackLifeParams life;        ///< Reported at once; drop rule min(5, 1 + .2 hits).
+  double min_existence = 0.5;  ///< Elements below it are false targets, in [0, 1].
 };
 
 /// Tracking by motion elements, [Yan2018] Sec. IV and Fig. 6: scan -> estimator on the sliding window, with

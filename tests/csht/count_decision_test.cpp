@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "csht/refit.hpp"
 #include "tests/csht/straight_scene.hpp"
 
@@ -20,8 +22,8 @@ struct Fitted {
     candidate.state << course.at(window.centre_time()), course.velocity;
     EXPECT_TRUE(Refit({}).fit(candidate, window, window.centre_time(), free));
   }
-  double evidence() const {
-    CountDecision decision({});
+  double evidence(const CountDecisionParams& params = {}) const {
+    CountDecision decision(params);
     decision.prepare(window);
     return decision.log_evidence(candidate, window, window.centre_time(), free,
                                  static_cast<int>(free.size()));
@@ -74,6 +76,27 @@ TEST(CountDecision, OfferedCandidatesNeedLess) {
   EXPECT_FALSE(decision.accepts(candidate, 0));
   candidate.offered = true;
   EXPECT_TRUE(decision.accepts(candidate, 0));
+}
+
+// A normal prior of 1 m/s in place of the disc of 5 m/s: its density at the fit's speed v is
+// exp(-v^2 / 2) / (2 pi) against 1 / (25 pi).
+TEST(CountDecision, ANormalVelocityPriorReplacesTheDisc) {
+  const Fitted target(with_misses(0.0), kFar);
+  CountDecisionParams normal;
+  normal.velocity_sigma = 1.0;
+  const double v2 = target.candidate.state.tail<2>().squaredNorm();
+  EXPECT_NEAR(target.evidence(normal) - target.evidence(), std::log(25.0 / 2.0) - 0.5 * v2, 1e-9);
+}
+
+TEST(CountDecision, AnOfferedCandidateIsNewOnlyOnItsOwnEvidence) {
+  CountDecision decision({});
+  Candidate candidate;
+  candidate.support = 4;
+  candidate.offered = true;
+  candidate.log_evidence = -1.0;
+  EXPECT_FALSE(decision.accepts_as_new(candidate, 0));
+  candidate.log_evidence = 1.0;
+  EXPECT_TRUE(decision.accepts_as_new(candidate, 0));
 }
 
 // .36 of 18 echoes are 6.5: six are too few beside such a target, seven are enough.

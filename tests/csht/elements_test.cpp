@@ -23,6 +23,9 @@ TEST(Elements, AreAtTheNewestScan) {
   EXPECT_DOUBLE_EQ(element.covariance(0, 0), 0.5 + 4.75 * 4.75 * 0.1);
   EXPECT_DOUBLE_EQ(element.covariance(0, 2), 4.75 * 0.1);
   EXPECT_EQ(element.support, 7);
+  EXPECT_FALSE(element.of_known_track);
+  candidate.offered = true;
+  EXPECT_TRUE(to_element(candidate, window, 4.75).of_known_track);
 }
 
 }  // namespace

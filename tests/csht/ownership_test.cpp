@@ -46,6 +46,23 @@ TEST(Ownership, CrossingTargetsShareNoSample) {
     EXPECT_FALSE(first.own[s] >= 0 && first.own[s] == second.own[s]) << "scan " << s;
 }
 
+// Twenty clean echoes need no track to speak for them. With a threshold out of reach only the offer lets them
+// pass, and the accepted candidate says so.
+TEST(Ownership, RemembersWhoWasAcceptedOnlyBecauseATrackOfferedIt) {
+  const testing::Course course{{80, 10}, {-1, 2}};
+  const auto window = window_of({course});
+  for (const double min_evidence : {0.5, 1e6}) {
+    CountDecisionParams decision;
+    decision.min_evidence = min_evidence;
+    Ownership ownership({}, decision);
+    ownership.start(window, 4.75);
+    std::vector<Candidate> candidates{candidate_of(course, 4.75)};
+    candidates[0].offered = true;
+    ASSERT_EQ(ownership.accept(candidates, window), 1);
+    EXPECT_EQ(ownership.accepted()[0].offered, min_evidence > 1.0);
+  }
+}
+
 TEST(Ownership, StartFreesEverything) {
   const testing::Course course{{80, 10}, {-1, 2}};
   const auto window = window_of({course});

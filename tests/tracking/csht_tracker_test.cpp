@@ -67,6 +67,14 @@ TEST_F(CshtTrackerTest, AnElementFarFromEveryTrackIsANewTarget) {
   EXPECT_EQ(step({element(50.5, 1.0), element(80.0, 0.0)}).size(), 2U);
 }
 
+// An offered track may drag weak evidence away from itself; that must not become its twin.
+TEST_F(CshtTrackerTest, AnElementThatOnlyAnOfferCarriedIsNoNewTarget) {
+  step({element(50.0, 1.0)});
+  core::MotionElement drawn_away = element(80.0, 0.0);
+  drawn_away.of_known_track = true;
+  EXPECT_EQ(step({element(50.5, 1.0), drawn_away}).size(), 1U);
+}
+
 TEST_F(CshtTrackerTest, AnElementThatHardlyExistsIsAFalseTarget) {
   EXPECT_TRUE(step({element(50.0, 1.0, 0.4)}).empty());
 }

@@ -9,8 +9,10 @@ namespace lookout::tracking {
 
 /// When a trajectory follows its own filter and when the window's estimate.
 struct WindowSmootherParams {
-  double disagreement = 16.0;  ///< Squared Mahalanobis distance, under the sum of both covariances, that
-                               ///< resets to the window estimate, > 0.
+  /// Squared Mahalanobis distance, under the sum of both covariances, that resets to the window estimate, >
+  /// 0. Both take bearing errors for independent; while a target stays in a beam they are not, and at 16 most
+  /// resets hit a good filter.
+  double disagreement = 36.0;
   int young_scans = 6;  ///< Scans from birth in which the window estimate is taken as it is, >= 0.
 
   /// @throws std::invalid_argument naming the first value out of range.

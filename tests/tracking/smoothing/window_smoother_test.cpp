@@ -44,14 +44,14 @@ TEST_F(WindowSmootherTest, OldOnesTakeTheNewSampleAlone) {
 }
 
 TEST_F(WindowSmootherTest, DisagreementResetsToTheWindow) {
-  element_.position = {50.0 + 4.1 * std::sqrt(3.0), 0.0};  // 4.1 sigma: 16.8 > 16
+  element_.position = {50.0 + 6.1 * std::sqrt(3.0), 0.0};  // 6.1 sigma: 37.2 > 36
   element_.velocity = {1.0, 0.0};
   smoother_.correct(track_, 50, nullptr, &element_, sonar_);
   EXPECT_EQ(track_.state, element_.state());
 }
 
 TEST_F(WindowSmootherTest, JustBelowItDoesNot) {
-  element_.position = {50.0 + 3.9 * std::sqrt(3.0), 0.0};  // 3.9 sigma: 15.2 < 16
+  element_.position = {50.0 + 5.9 * std::sqrt(3.0), 0.0};  // 5.9 sigma: 34.8 < 36
   element_.velocity = {1.0, 0.0};
   smoother_.correct(track_, 50, nullptr, &element_, sonar_);
   EXPECT_EQ(track_.state(0), 50.0);
