@@ -12,22 +12,22 @@
 
 namespace lookout::tracking {
 
-/// The baseline of [Yan2018] Sec. V.C. What the paper leaves open is the gate and the confirmation, M of N;
-/// how they were chosen stands in docs/tracking.md.
+/// The baseline of [Yan2018] Sec. V.C. What the paper leaves open is the gate and when a track is confirmed
+/// and dropped; how they were chosen stands in docs/tracking.md.
 struct KalmanParams {
   double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
   /// Largest distance from a prediction to its detection [m], > 0: with this process noise the statistical
-  /// gate of a track that was missed twice covers much of the sector. As in the faithful tracker's
-  /// association.
-  double gate_distance = 10.0;
-  TrackLifeParams life{.confirm_hits = 3, .confirm_scans = 4};  ///< Ends as in the faithful tracker.
+  /// gate of a track that was missed twice covers much of the sector.
+  double gate_distance = 12.0;
+  TrackLifeParams life{
+      .confirm_hits = 3, .confirm_scans = 5, .max_misses = 5.0, .first_misses = 5.0, .misses_per_hit = 0.0};
 };
 
 /// A Kalman filter a target and nearest-neighbour association: each track in turn, the confirmed ones first,
 /// takes the free detection nearest to its prediction.
 class KalmanTracker : public Tracker {
  public:
-  /// The noises follow from the sonar: 2 sigma / Ts^2 and sigma.
+  /// The noises follow from the sonar: an acceleration of variance 2 sigma / Ts^2, and sigma.
   /// @throws std::invalid_argument on a parameter out of range.
   KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar,
                 std::unique_ptr<BirthMethod> births = nullptr);

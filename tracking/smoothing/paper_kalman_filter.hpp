@@ -11,7 +11,7 @@ namespace lookout::tracking {
 
 /// The noises of [Yan2018] Eq. (5) and Sec. V.C, of which the Kalman baseline is made.
 struct PaperKalmanParams {
-  double process_sigma = 24.0;     ///< Of the acceleration, 2 sigma / Ts^2 [m/s^2], > 0.
+  double process_sigma = 4.9;      ///< Of the acceleration [m/s^2], > 0; the root of 2 sigma / Ts^2.
   double position_sigma = 3.0;     ///< Of a measured north or east, sigma [m], > 0.
   double initial_position = 25.0;  ///< First variance of north and east [m^2], > 0.
   double initial_velocity = 4.0;   ///< First variance of the velocities [m^2/s^2], > 0.

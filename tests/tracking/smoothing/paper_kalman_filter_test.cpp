@@ -32,7 +32,7 @@ TEST(PaperKalmanFilter, OwnFilterIsTheOracleOfTheEngine) {
   for (int k = 1; k <= 5; ++k) {
     const Eigen::Vector2d measured(10.0 + k, 20.0 - 2.0 * k);
     EXPECT_TRUE(engine.iterate(by_engine, 0.5, [&](const auto&, const auto&) { return measured; }));
-    predict(by_us, 0.5, {.acceleration_sigma = 24.0});
+    predict(by_us, 0.5, {.acceleration_sigma = 4.9});
     update(by_us, measured, 9.0 * Eigen::Matrix2d::Identity());
   }
   EXPECT_TRUE(by_engine.state.isApprox(by_us.state, 1e-9));
