@@ -19,10 +19,24 @@ int ScanHistory::push(const core::PosedScan& scan) {
   newest_ = (newest_ + 1) % capacity();
   size_ = std::min(size_ + 1, capacity());
   ++pushed_;
+  make_room(scan.scan.returns.size(), static_cast<std::size_t>(scan.scan.num_beams) + 2);
   ScanTable& table = tables_[static_cast<std::size_t>(newest_)];
   const int left_out = fill_scan_table(scan, table);
   csht::set_figures(figures_, model_, table);
   return left_out;
+}
+
+// All tables take the densest scan so far, so that none grows later.
+void ScanHistory::make_room(std::size_t returns, std::size_t slots) {
+  if (returns <= densest_ && slots <= widest_) return;
+  densest_ = std::max(densest_, returns);
+  widest_ = std::max(widest_, slots);
+  for (ScanTable& table : tables_) {
+    table.detections.reserve(densest_);
+    table.bearing_from_axis.reserve(densest_);
+    table.range.reserve(widest_);
+    table.base.reserve(widest_);
+  }
 }
 
 const ScanTable& ScanHistory::at_age(int age) const {

@@ -8,7 +8,7 @@
 namespace lookout::csht {
 
 /// The latest scans as likelihood tables, shared by the estimator and the tracker. Its buffers are reused:
-/// once it has been full, a push allocates nothing (as long as scans do not grow).
+/// once each has been used, a push allocates nothing unless the scan is the densest so far.
 class ScanHistory {
  public:
   /// @param capacity scans kept, >= 1. @throws std::invalid_argument on a bad value.
@@ -34,12 +34,15 @@ class ScanHistory {
   void clear();
 
  private:
+  void make_room(std::size_t returns, std::size_t slots);
+
   SensorFigures figures_;
   SensorModelParams model_;
   std::vector<ScanTable> tables_;
   int size_ = 0;
   int newest_ = -1;
   std::int64_t pushed_ = 0;
+  std::size_t densest_ = 0, widest_ = 0;  ///< Most returns and slots of a scan so far.
 };
 
 }  // namespace lookout::csht

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "tracking/joint_memory.hpp"
+#include "tracking/joint_unseen.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -44,6 +45,12 @@ BirthDensity birth_density(const csht::ScanTable& scan, double max_speed, const 
   return {std::log(params.expected_targets) - log_volume, std::log(params.interior_rate) - log_volume};
 }
 
+int birth_window(const csht::ScanHistory& scans, const JointBirthParams& params) {
+  const double nats = std::max(nats_per_scan(scans.figures(), scans.newest()), params.least_nats);
+  const double enough = std::ceil(params.enough_nats / nats);
+  return static_cast<int>(std::min<double>(enough, oldest_within(params.window_s, scans)));
+}
+
 JointBirth::JointBirth(const JointBirthParams& params, double max_speed)
     : params_(params), max_speed_(max_speed) {
   pairs_.resize(kReserve);
@@ -57,14 +64,15 @@ std::span<const BirthSeed> JointBirth::propose(JointLikelihood& likelihood) {
   collect_free_echoes(likelihood);
   pair_echoes();
   if (scores_.empty()) return seeds_;
-  const int first_look = oldest_within(params_.first_look_s, *scans_);
-  const int window = oldest_within(params_.window_s, *scans_);
-  score(likelihood, first_look, first_look == window);
+  const int window = birth_window(*scans_, params_);
+  const int first_look = std::min(window, oldest_within(params_.first_look_s, *scans_));
+  score(likelihood, first_look);
   if (window > first_look) {
     keep_best(static_cast<std::size_t>(params_.first_look_keep));
-    score(likelihood, window, true);
+    score(likelihood, window);
   }
   refine_and_merge(likelihood);
+  weigh(likelihood, window);
   return seeds_;
 }
 
@@ -116,11 +124,11 @@ void JointBirth::add_pair(const Echo& newest, const Echo& older, double seconds)
   pairs_.east.push_back(position.y());
   pairs_.north_velocity.push_back(velocity.x());
   pairs_.east_velocity.push_back(velocity.y());
-  scores_.push_back({-std::numeric_limits<double>::infinity(), 0, false});
+  scores_.push_back({-std::numeric_limits<double>::infinity(), 0});
 }
 
 // Runs all pairs backwards to the scan of age `oldest`, from where the last call ended.
-void JointBirth::score(JointLikelihood& likelihood, int oldest, bool final) {
+void JointBirth::score(JointLikelihood& likelihood, int oldest) {
   step_.resize(scores_.size());
   for (int age = scored_to_ + 1; age <= oldest; ++age) {
     std::fill(step_.begin(), step_.end(), 0.0);
@@ -128,26 +136,18 @@ void JointBirth::score(JointLikelihood& likelihood, int oldest, bool final) {
                         pairs_.span(), scans_->seconds_at_age(age), kSeedTolerance, step_);
     for (std::size_t i = 0; i < scores_.size(); ++i) {
       sum_[i] += step_[i];
-      const double interior = sum_[i] + density_.log_interior;
-      if (interior > scores_[i].best) scores_[i] = {interior, age, false};
+      if (sum_[i] > scores_[i].best) scores_[i] = {sum_[i], age};
     }
   }
   scored_to_ = oldest;
-  for (std::size_t i = 0; final && i < scores_.size(); ++i) {
-    const double standing = sum_[i] + density_.log_standing;
-    if (standing > scores_[i].best) scores_[i] = {standing, oldest, true};
-  }
 }
 
 void JointBirth::keep_best(std::size_t count) {
   order_.resize(scores_.size());
   std::iota(order_.begin(), order_.end(), std::size_t{0});
   if (order_.size() > count) {
-    const auto value = [this](std::size_t i) {
-      return std::max(scores_[i].best, sum_[i] + density_.log_standing);
-    };
     std::nth_element(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count), order_.end(),
-                     [&value](std::size_t a, std::size_t b) { return value(a) > value(b); });
+                     [this](std::size_t a, std::size_t b) { return scores_[a].best > scores_[b].best; });
     order_.resize(count);
     std::sort(order_.begin(), order_.end());
   }
@@ -210,11 +210,31 @@ bool JointBirth::refine(const JointLikelihood& likelihood, std::size_t index, Bi
   }
   seed.guess.mean.head<4>() = state;
   seed.guess.covariance.topLeftCorner<4, 4>() = covariance;
-  seed.ages = {0, scores_[index].oldest};
-  seed.log_density = scores_[index].standing ? density_.log_standing : density_.log_interior;
-  seed.log_odds =
-      scores_[index].best + 0.5 * std::log(covariance.determinant()) + 2.0 * std::log(2.0 * std::numbers::pi);
+  seed.start_age = scores_[index].oldest;
+  seed.log_odds = 0.5 * std::log(covariance.determinant()) + 2.0 * std::log(2.0 * std::numbers::pi);
   return true;
+}
+
+// Adds to the odds of the seeds what all scans say of their refined lines, over all beginnings; the most
+// probable come first.
+void JointBirth::weigh(JointLikelihood& likelihood, int oldest) {
+  lines_.resize(seeds_.size());
+  for (std::size_t k = 0; k < seeds_.size(); ++k) {
+    const CloudMoments::Vector6& mean = seeds_[k].guess.mean;
+    lines_.north[k] = mean[0];
+    lines_.east[k] = mean[1];
+    lines_.north_velocity[k] = mean[2];
+    lines_.east_velocity[k] = mean[3];
+  }
+  step_.assign(seeds_.size(), 0.0);
+  for (int age = oldest; age >= 0; --age) {
+    csht::add_births(params_.log_birth(), step_);
+    csht::add_log_ratio(scans_->at_age(age), likelihood.mask(age, JointLikelihood::kNobody, -1),
+                        lines_.span(), scans_->seconds_at_age(age), kSeedTolerance, step_);
+  }
+  for (std::size_t k = 0; k < seeds_.size(); ++k) seeds_[k].log_odds += step_[k] + density_.log_standing;
+  std::sort(seeds_.begin(), seeds_.end(),
+            [](const BirthSeed& a, const BirthSeed& b) { return a.log_odds > b.log_odds; });
 }
 
 // Adds the echoes of one scan near the line to the fit.

@@ -11,10 +11,9 @@ namespace lookout::tracking {
 
 /// A trajectory that may be a target's, worth the computing of its evidence.
 struct BirthSeed {
-  CloudMoments guess;        ///< At the newest scan; accelerations zero.
-  AgeSpan ages;              ///< Scans since it is thought to be there.
-  double log_density = 0.0;  ///< ln of the prior density of such targets [1/(m^2 (m/s)^2)].
-  double log_odds = 0.0;     ///< Of existence, by Laplace's method around the guess.
+  CloudMoments guess;     ///< At the newest scan; accelerations zero.
+  int start_age = 0;      ///< Age of the scan since which it is thought to be there.
+  double log_odds = 0.0;  ///< Of existence, by Laplace's method around the guess.
 };
 
 /// How targets are spread before anything is seen: their densities over position and velocity.
@@ -23,6 +22,10 @@ struct BirthDensity {
   double log_interior = 0.0;  ///< ln of those that appear inside at one scan.
 };
 BirthDensity birth_density(const csht::ScanTable& scan, double max_speed, const JointBirthParams& params);
+
+/// Age of the oldest scan that a new target is weighed over: as many scans as hold `enough_nats` of
+/// information on a target in view, `window_s` at most.
+int birth_window(const csht::ScanHistory& scans, const JointBirthParams& params);
 
 /// Weighted least squares for a straight line: state (position, velocity) at the newest scan.
 struct LineFit {
@@ -51,17 +54,17 @@ class JointBirth {
     int age = 0;
   };
   struct Score {
-    double best = 0.0;  ///< Best log prior plus log-likelihood ratio over windows.
+    double best = 0.0;  ///< Best log-likelihood ratio over windows.
     int oldest = 0;     ///< Age at which that window begins.
-    bool standing = false;
   };
 
   void collect_free_echoes(const JointLikelihood& likelihood);
   void pair_echoes();
   void add_pair(const Echo& newest, const Echo& older, double seconds);
-  void score(JointLikelihood& likelihood, int oldest, bool final);
+  void score(JointLikelihood& likelihood, int oldest);
   void keep_best(std::size_t count);
   void refine_and_merge(const JointLikelihood& likelihood);
+  void weigh(JointLikelihood& likelihood, int oldest);
   bool explained(const JointLikelihood& likelihood, int age, std::size_t echo) const;
   bool refine(const JointLikelihood& likelihood, std::size_t index, BirthSeed& seed) const;
   void add_members(const JointLikelihood& likelihood, int age, const Eigen::Vector4d& state,
@@ -79,6 +82,7 @@ class JointBirth {
   int scored_to_ = -1;  ///< Age of the oldest scan in `sum_`.
   std::vector<std::size_t> order_;
   std::vector<BirthSeed> seeds_;
+  JointCloud lines_;  ///< Of the seeds.
 };
 
 }  // namespace lookout::tracking

@@ -12,7 +12,7 @@ JointFilter::JointFilter(const JointTrackerParams& params)
     : cloud_(params.cloud),
       life_(params.life),
       least_log_odds_(params.manoeuvre.least_log_odds),
-      memory_{params.cloud.memory_s, params.manoeuvre.window_s},
+      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.birth.log_birth()},
       manoeuvre_(params.manoeuvre, params.cloud.trajectories) {}
 
 void JointFilter::predict(double seconds, JointState& state) const {
@@ -83,6 +83,11 @@ void JointFilter::refresh(JointTrack& track, JointState& state) {
   task.samples = cloud_.trajectories;
   task.rounds = cloud_.refresh_rounds;
   task.curved = track.cloud.curved;
+  if (track.log_odds >= life_.settled_log_odds && !track.cloud.curved) {
+    state.sampler.move(task, state.likelihood, state.random, track.cloud);
+    track.claims_are_fresh = false;
+    return;
+  }
   const SamplingResult result = state.sampler.sample(task, state.likelihood, state.random, state.fresh);
   const double effective = result.effective_share * static_cast<double>(task.samples);
   if (effective <= std::min(track.cloud.effective_size(), cloud_.enough_effective)) return;
@@ -104,15 +109,21 @@ bool JointFilter::estimates_odds(const JointTrack& track, const AgeSpan& ages, c
 
 void JointFilter::judge_motion(JointTrack& track, JointState& state) {
   if (track.highest_log_odds < least_log_odds_ || track.out_of_view) return;
-  const auto judgement = manoeuvre_.judge(state.slot_of(track), track, state.likelihood, state.sampler,
-                                          state.random, state.fresh);
+  const AgeSpan memory = memory_of(track, state.scans(), memory_);
+  const auto judgement = manoeuvre_.judge({state.slot_of(track), track, memory}, state.likelihood,
+                                          state.sampler, state.random, state.fresh);
   if (judgement.verdict == JointManoeuvre::Verdict::keep) return;
-  const bool curve = judgement.verdict == JointManoeuvre::Verdict::curve;
   std::swap(track.cloud, state.fresh);
   track.moments = track.cloud.moments();
+  track.claims_are_fresh = false;
+  if (judgement.verdict != JointManoeuvre::Verdict::redraw) change_model(judgement, track, state);
+}
+
+void JointFilter::change_model(const JointManoeuvre::Judgement& judgement, JointTrack& track,
+                               const JointState& state) const {
+  const bool curve = judgement.verdict == JointManoeuvre::Verdict::curve;
   track.first_scan = state.scans().pushed() - 1 - judgement.oldest;
   track.remembers_birth = false;
-  track.claims_are_fresh = false;
   // What the line lost by not bending was no evidence against the target.
   if (curve)
     track.log_odds =

@@ -27,6 +27,8 @@ class JointFilter {
   bool estimates_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
                       const JointState& state) const;
   void judge_motion(JointTrack& track, JointState& state);
+  void change_model(const JointManoeuvre::Judgement& judgement, JointTrack& track,
+                    const JointState& state) const;
 
   JointCloudParams cloud_;
   JointLifeParams life_;

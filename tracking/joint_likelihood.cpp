@@ -111,7 +111,8 @@ double JointLikelihood::explained(int age, int index, double range) const {
 
 void JointLikelihood::add(const JointCloud& cloud, const CloudMoments::Vector6& mean, const AgeSpan& ages,
                           int self, std::span<double> log_ratio) {
-  for (int age = ages.newest; age <= ages.oldest; ++age) {
+  for (int age = ages.oldest; age >= ages.newest; --age) {
+    if (ages.log_birth) csht::add_births(*ages.log_birth, log_ratio);
     const csht::BeamMask* others = nullptr;
     if (self != kEverybody && !claims_at(age).empty()) {
       const Eigen::Vector2d at = position_at(mean, scans_.seconds_at_age(age));

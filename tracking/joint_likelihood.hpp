@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -23,6 +24,9 @@ struct Claim {
 struct AgeSpan {
   int newest = 0;
   int oldest = 0;
+  /// ln of the targets that appear at a scan, relative to those that were there before the oldest: with it,
+  /// a trajectory may begin at any scan of the span. Without, it is there from the oldest on.
+  std::optional<double> log_birth = std::nullopt;
 };
 
 /// The likelihood of trajectories over the latest scans, with what other tracks explain left out: in a beam
@@ -51,7 +55,8 @@ class JointLikelihood {
   void forget_claims(int owner, int age);
 
   /// Adds to `log_ratio[i]` what the scans of these ages say of trajectory i, the claims of all but `self`
-  /// left out.
+  /// left out; with births, `log_ratio` is zero before. The sum over the beginnings is
+  /// Q_t = (Q_{t-1} + birth) L_t, oldest first, as in docs/estimator.md.
   /// @param mean of the trajectories, near which claims matter.
   void add(const JointCloud& cloud, const CloudMoments::Vector6& mean, const AgeSpan& ages, int self,
            std::span<double> log_ratio);

@@ -11,9 +11,15 @@ int oldest_within(double seconds, const csht::ScanHistory& scans) {
 }
 
 AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const JointMemory& memory) {
-  if (track.cloud.curved) return {0, oldest_within(memory.curve_s, scans)};
+  AgeSpan ages;
+  if (track.cloud.curved) {
+    ages.oldest = oldest_within(memory.curve_s, scans);
+    return ages;
+  }
   const std::int64_t since_first = scans.pushed() - 1 - track.first_scan;
-  return {0, static_cast<int>(std::min<std::int64_t>(since_first, oldest_within(memory.line_s, scans)))};
+  ages.oldest = static_cast<int>(std::min<std::int64_t>(since_first, oldest_within(memory.line_s, scans)));
+  if (track.remembers_birth) ages.log_birth = memory.log_birth;
+  return ages;
 }
 
 }  // namespace lookout::tracking

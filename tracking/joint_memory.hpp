@@ -8,8 +8,9 @@ namespace lookout::tracking {
 
 /// How far back a track's likelihood reaches.
 struct JointMemory {
-  double line_s = 60.0;  ///< Of a straight trajectory [s].
-  double curve_s = 8.0;  ///< Of a curved one [s].
+  double line_s = 60.0;    ///< Of a straight trajectory [s].
+  double curve_s = 8.0;    ///< Of a curved one [s].
+  double log_birth = 0.0;  ///< AgeSpan::log_birth, of a track that remembers its birth.
 };
 
 /// Age of the oldest scan that is at most `seconds` older than the newest; 0 at least.

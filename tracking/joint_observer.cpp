@@ -58,6 +58,7 @@ JointObserver::View JointObserver::look(int slot, const JointCloud& cloud, int a
   if (share_.size() < size) share_.resize(size, 0.0);
   if (range_.size() < size) range_.resize(size, 0.0);
   touched_.clear();
+  touched_.reserve(share_.size());
   const View view = points ? look_points(cloud, scan, likelihood.scans().figures(), seconds, stride)
                            : look_beams(cloud, scan, seconds, stride);
   const double total = total_weight(cloud, stride);

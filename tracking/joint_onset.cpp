@@ -23,12 +23,14 @@ JointOnset::JointOnset(const JointTrackerParams& params, double max_speed,
     : params_(params.birth),
       life_(params.life),
       cloud_(params.cloud),
-      memory_{params.cloud.memory_s, params.manoeuvre.window_s},
+      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.birth.log_birth()},
       max_speed_(max_speed),
       birth_(params.birth, max_speed),
       births_(std::move(births)) {}
 
 void JointOnset::begin(const core::PosedScan& scan, JointState& state) {
+  log_density_ = birth_density(state.scans().newest(), max_speed_, params_).log_standing;
+  window_ = {0, birth_window(state.scans(), params_), params_.log_birth()};
   if (births_ != nullptr)
     begin_on_proposals(scan, state);
   else
@@ -49,9 +51,8 @@ void JointOnset::begin_on_proposals(const core::PosedScan& scan, JointState& sta
     living.state = track.moments.mean.head<4>();
     living.covariance = track.moments.covariance.topLeftCorner<4, 4>();
   }
-  const BirthDensity density = birth_density(state.scans().newest(), max_speed_, params_);
   for (const core::MotionElement& element : births_->propose(scan, living_)) {
-    const BirthSeed seed = seed_of(element, state.scans(), density);
+    const BirthSeed seed = seed_of(element, state.scans());
     if (!known(seed, state)) begin_track(seed, state);
   }
 }
@@ -70,20 +71,21 @@ bool JointOnset::known(const BirthSeed& seed, JointState& state) const {
 
 // Draws the density of a seed to `fresh`. @return whether it is worth a track.
 bool JointOnset::draw(const BirthSeed& seed, double& log_odds, JointState& state) const {
+  const double least = life_.tentative_log_odds - log_density_;
   SamplingTask task;
   task.guess = seed.guess;
-  task.ages = seed.ages;
+  task.ages = window_;
   task.samples = params_.samples;
   task.rounds = params_.rounds;
-  task.give_up_below = life_.tentative_log_odds - params_.hopeless - seed.log_density;
+  task.give_up_below = least - params_.hopeless;
   if (state.sampler.sample(task, state.likelihood, state.random, state.fresh).log_evidence <
-      task.give_up_below)
+      least - params_.doubtful)
     return false;
   // Of many seeds the luckiest estimates stand out: once more, with trajectories that nothing was chosen by.
   task.guess = state.fresh.moments();
   task.samples = cloud_.trajectories;
   const SamplingResult result = state.sampler.sample(task, state.likelihood, state.random, state.fresh);
-  log_odds = result.log_evidence + seed.log_density;
+  log_odds = result.log_evidence + log_density_;
   return log_odds >= life_.tentative_log_odds && result.effective_share >= cloud_.trusted_share;
 }
 
@@ -94,8 +96,8 @@ void JointOnset::begin_track(const BirthSeed& seed, JointState& state) {
   if (track == nullptr) return;
   const csht::ScanHistory& scans = state.scans();
   std::swap(track->cloud, state.fresh);
-  track->begin({std::min(log_odds, life_.settled_log_odds), seed.log_density,
-                scans.pushed() - 1 - seed.ages.oldest, scans.at_age(seed.ages.oldest).utime, state.now()});
+  track->begin({std::min(log_odds, life_.settled_log_odds), log_density_, scans.pushed() - 1 - window_.oldest,
+                scans.at_age(seed.start_age).utime, state.now()});
   observer_.claim_memory(state.slot_of(*track), *track, memory_of(*track, scans, memory_), state.likelihood);
   state.decide(*track, DecisionKind::begin, track->log_odds, "echoes that no track explains");
 }

@@ -36,6 +36,8 @@ class JointOnset {
   JointCloudParams cloud_;
   JointMemory memory_;
   double max_speed_;
+  double log_density_ = 0.0;  ///< ln of the prior density of targets at the newest scan.
+  AgeSpan window_;            ///< Scans that a seed is weighed over.
   JointBirth birth_;
   std::unique_ptr<BirthMethod> births_;
   std::vector<core::Track> living_;  ///< What `births_` is told of the tracks.

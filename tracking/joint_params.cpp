@@ -20,6 +20,8 @@ void validate(const JointCloudParams& p) {
   require(p.refresh_rounds >= 1, "refresh_rounds must be >= 1", p.refresh_rounds);
   require(p.proposal_scale >= 1.0, "proposal_scale must be >= 1", p.proposal_scale);
   require(p.tail_freedom > 2.0, "tail_freedom must be > 2", p.tail_freedom);
+  require(p.moves >= 1, "moves must be >= 1", p.moves);
+  require(p.move_scale > 0.0, "move_scale must be > 0", p.move_scale);
   require(p.enough_effective > 0.0, "enough_effective must be > 0", p.enough_effective);
   require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)", p.trusted_share);
 }
@@ -36,6 +38,9 @@ void validate(const JointBirthParams& p) {
   require(p.samples >= 16, "samples must be >= 16", p.samples);
   require(p.rounds >= 1, "rounds must be >= 1", p.rounds);
   require(p.hopeless > 0.0, "hopeless must be > 0", p.hopeless);
+  require(p.enough_nats > 0.0, "enough_nats must be > 0", p.enough_nats);
+  require(p.least_nats > 0.0, "least_nats must be > 0", p.least_nats);
+  require(p.doubtful >= 0.0, "doubtful must be >= 0", p.doubtful);
   require(p.explained > 0.0 && p.explained <= 1.0, "explained must be in (0, 1]", p.explained);
   require(p.refine_rounds >= 1, "refine_rounds must be >= 1", p.refine_rounds);
   require(p.tries_per_seed >= 1, "tries_per_seed must be >= 1", p.tries_per_seed);
@@ -59,6 +64,7 @@ void validate(const JointLifeParams& p) {
   require(p.mean_life_s > 0.0, "mean_life_s must be > 0", p.mean_life_s);
   require(p.coast_s >= 0.0, "coast_s must be >= 0", p.coast_s);
   require(p.max_tracks >= 1, "max_tracks must be >= 1", p.max_tracks);
+  require(p.ready_tracks >= 0, "ready_tracks must be >= 0", p.ready_tracks);
   require(p.twin_distance >= 0.0, "twin_distance must be >= 0", p.twin_distance);
   require(p.twin_speed >= 0.0, "twin_speed must be >= 0", p.twin_speed);
   require(p.in_view_share > 0.0 && p.in_view_share < 1.0, "in_view_share must be in (0, 1)", p.in_view_share);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "csht/sensor_likelihood.hpp"
 #include "csht/sensor_model.hpp"
 
@@ -15,6 +17,8 @@ struct JointCloudParams {
   int refresh_rounds = 3;     ///< Most rounds of adaptive importance sampling a refresh, >= 1.
   double proposal_scale = 1.1;     ///< Standard deviations of the proposal over those of the cloud, >= 1.
   double tail_freedom = 6.0;       ///< Degrees of freedom of the proposal's t distribution, > 2.
+  int moves = 2;                   ///< Steps of a random walk after resampling, >= 1.
+  double move_scale = 0.6;         ///< Their standard deviations over those of the cloud, > 0.
   double enough_effective = 50.0;  ///< Trajectories that carry a cloud that is as good as it gets, > 0.
   double trusted_share = 0.08;     ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
 };
@@ -24,29 +28,35 @@ struct JointBirthParams {
   double expected_targets = 2.0;  ///< In the field of view at any time, > 0; the prior density of births.
   double interior_rate = 0.001;   ///< Targets that appear inside the field of view, per scan, > 0.
   double window_s = 20.0;         ///< Longest stretch that a new target is scored over [s], > 0.
-  int min_lag_scans = 2;          ///< Between the two echoes of a pair, >= 1.
-  double max_lag_s = 10.0;        ///< Between the two echoes of a pair [s], > 0.
+  double enough_nats =
+      30.0;                  ///< Information that is enough to weigh a new target [nats], > 0: twice what the
+                             ///< number of trajectories that can be told apart asks for. docs/tracker.md.
+  double least_nats = 0.05;  ///< Least information of a scan that is reckoned with [nats], > 0.
+  int min_lag_scans = 2;     ///< Between the two echoes of a pair, >= 1.
+  double max_lag_s = 10.0;   ///< Between the two echoes of a pair [s], > 0.
   double first_look_s = 6.0;  ///< Stretch over which all pairs are scored before most are dropped [s], > 0.
   int first_look_keep = 192;  ///< Pairs that are scored over the whole window, >= 1.
   int seeds = 24;             ///< Distinct pairs whose evidence is computed, >= 1.
   int samples = 128;          ///< Trajectories drawn for the first estimate of the evidence, >= 16.
   int rounds = 3;             ///< Rounds of adaptive importance sampling, >= 1.
   double hopeless =
-      6.0;  ///< A seed this many nats short of a tentative track in its first round is dropped, > 0.
+      3.0;  ///< A seed this many nats short of a tentative track in its first round is dropped, > 0.
+  double doubtful = 1.0;      ///< ... and this many short after its last round, >= 0.
   double explained = 0.5;     ///< An echo explained with this probability begins no pair, in (0, 1].
   int refine_rounds = 2;      ///< Of least squares over memberships, >= 1.
   int tries_per_seed = 3;     ///< Pairs that are refined for each seed that is asked for, >= 1.
   double same_target = 9.0;   ///< Squared Mahalanobis distance (4 degrees of freedom) within which seeds, or
                               ///< a seed and a track, are one target, > 0.
   double track_reach = 30.0;  ///< Tracks farther than this from a seed are not compared with it [m], > 0.
-  double better_nats = 2.0;   ///< By which a seed must beat a tentative track to replace it, >= 0.
+  double log_birth() const { return std::log(interior_rate / expected_targets); }  ///< AgeSpan::log_birth.
+  double better_nats = 2.0;  ///< By which a seed must beat a tentative track to replace it, >= 0.
 };
 
 /// Targets that turn or change speed.
 struct JointManoeuvreParams {
   double window_s = 8.0;  ///< Stretch that a curved trajectory holds for [s], in (0, 30]. At 6 deg/s and
                           ///< 3 m/s a constant acceleration is then off by at most 0.4 m.
-  double prior = 0.002;   ///< That a window begins a manoeuvre, in (0, 1).
+  double prior = 0.0002;  ///< That a window begins a manoeuvre, in (0, 1).
   double trigger_share = 0.75;  ///< A line is doubted when it brings less than this share of its evidence.
   int sudden_scans = 4;         ///< ... or when over this many scans, >= 1,
   double sudden_nats = 6.0;     ///< it falls this much short of what was to be expected, > 0.
@@ -54,7 +64,9 @@ struct JointManoeuvreParams {
   double position_slack = 2.0;  ///< How far a manoeuvre may have led off the line [m], > 0,
   double velocity_slack = 0.5;  ///< [m/s], > 0, and
   double acceleration_slack = 0.15;  ///< [m/s^2], > 0, one standard deviation each.
-  double straighten_nats = 2.5;      ///< Evidence for the line that ends a manoeuvre.
+  double straighten_nats = 1.5;      ///< Evidence for the line that ends a manoeuvre.
+  int young_windows = 2;             ///< A track of at most so many windows may be on a wrong line, >= 0.
+  double redraw_nats = 1.0;          ///< Evidence for another line that is worth the change, > 0.
   double rough_nats = 8.0;           ///< Evidence that is believed of a cloud below `trusted_share`.
   double trusted_share = 0.08;       ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
   double least_log_odds = 2.0;       ///< Existence that a track must have reached to be judged.
@@ -66,7 +78,8 @@ struct JointLifeParams {
   double end_log_odds = -3.0;        ///< Existence below which a track that was confirmed ends.
   double mean_life_s = 500.0;        ///< Mean time after which a target vanishes in view [s], > 0.
   double coast_s = 10.0;             ///< How long a track is kept outside the field of view [s], >= 0.
-  int max_tracks = 512;              ///< Tracks of any status, >= 1; the least probable give way.
+  int max_tracks = 512;              ///< Tracks of any status, >= 1; more are not begun.
+  int ready_tracks = 64;             ///< Tracks that memory is kept for from the start, >= 0.
   double twin_distance = 4.0;        ///< Two tracks nearer than this [m] ...
   double twin_speed = 0.5;           ///< ... and in velocity [m/s] are one target's.
   double in_view_share = 0.5;        ///< Visible share below which a track counts as out of view, in (0, 1).

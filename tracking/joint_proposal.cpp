@@ -2,14 +2,12 @@
 
 namespace lookout::tracking {
 
-BirthSeed seed_of(const core::MotionElement& element, const csht::ScanHistory& scans,
-                  const BirthDensity& density) {
+BirthSeed seed_of(const core::MotionElement& element, const csht::ScanHistory& scans) {
   BirthSeed seed;
   seed.guess.mean.head<4>() = element.state();
   seed.guess.covariance.topLeftCorner<4, 4>() = element.covariance;
   for (int age = 0; age < scans.size() && scans.at_age(age).utime >= element.initial_utime; ++age)
-    seed.ages.oldest = age;
-  seed.log_density = density.log_standing;
+    seed.start_age = age;
   return seed;
 }
 

@@ -6,8 +6,7 @@
 namespace lookout::tracking {
 
 /// A birth proposed from outside as a seed of the joint tracker, which computes the evidence for it as for
-/// its own: the proposal's state, spread and age, and the prior density of targets.
-BirthSeed seed_of(const core::MotionElement& element, const csht::ScanHistory& scans,
-                  const BirthDensity& density);
+/// its own: the proposal's state, spread and age.
+BirthSeed seed_of(const core::MotionElement& element, const csht::ScanHistory& scans);
 
 }  // namespace lookout::tracking

@@ -14,6 +14,8 @@ namespace lookout::tracking {
 /// as a delay can ask for them.
 class JointRetrodiction {
  public:
+  JointRetrodiction() { retired_.reserve(kReserved); }
+
   /// Notes a track that ends; only those that were once sure are worth remembering.
   void retire(const JointTrack& track, std::int64_t utime, double settled_log_odds);
 
@@ -25,6 +27,7 @@ class JointRetrodiction {
                                   const csht::ScanHistory& scans, double min_existence);
 
  private:
+  static constexpr std::size_t kReserved = 64;  ///< Tracks that end in a minute; more cost an allocation.
   struct Retired {
     std::int64_t id = 0;
     CloudMoments moments;

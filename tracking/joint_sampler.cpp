@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -12,7 +13,6 @@ constexpr std::size_t kPoolSize = 4096;
 constexpr double kTemperedShare = 0.1;        // Effective share of a cloud whose moments are trusted.
 constexpr double kTemperingStep = 0.8;        // Factor on the logarithms of the weights.
 constexpr double kLeastExponent = 0.005;      // Of tempered weights.
-constexpr std::size_t kLargestCloud = 2;      // In clouds of a track: what a manoeuvre is judged with.
 constexpr double kSpeedEdge = 0.2;            // Beyond the limit the prior falls off with this sigma [m/s].
 constexpr double kPositionFloor = 0.05;       // Least standard deviations that are proposed: [m],
 constexpr double kVelocityFloor = 0.01;       // [m/s] and
@@ -27,10 +27,56 @@ CloudMoments::Matrix6 floored(const CloudMoments::Matrix6& covariance) {
   return result;
 }
 
+// The lower triangular root of the first d rows and columns.
+CloudMoments::Matrix6 root_of(const CloudMoments::Matrix6& covariance, int d) {
+  CloudMoments::Matrix6 root = CloudMoments::Matrix6::Zero();
+  if (d == 4)
+    root.topLeftCorner<4, 4>() = covariance.topLeftCorner<4, 4>().llt().matrixL();
+  else
+    root = covariance.llt().matrixL();
+  return root;
+}
+
+std::array<double*, 6> components(JointCloud& cloud) {
+  return {cloud.north.data(),
+          cloud.east.data(),
+          cloud.north_velocity.data(),
+          cloud.east_velocity.data(),
+          cloud.north_acceleration.data(),
+          cloud.east_acceleration.data()};
+}
+
+void copy_trajectory(const JointCloud& from, std::size_t i, JointCloud& to, std::size_t k) {
+  to.north[k] = from.north[i];
+  to.east[k] = from.east[i];
+  to.north_velocity[k] = from.north_velocity[i];
+  to.east_velocity[k] = from.east_velocity[i];
+  to.north_acceleration[k] = from.north_acceleration[i];
+  to.east_acceleration[k] = from.east_acceleration[i];
+}
+
+// Equally probable trajectories of `cloud`, as many as there are, by systematic resampling through `spare`.
+void resample(double uniform, JointCloud& cloud, JointCloud& spare) {
+  const double size = static_cast<double>(cloud.size());
+  double sum = cloud.weight[0];
+  std::size_t i = 0;
+  for (std::size_t k = 0; k < cloud.size(); ++k) {
+    const double wanted = (static_cast<double>(k) + uniform) / size;
+    while (sum < wanted && i + 1 < cloud.size()) sum += cloud.weight[++i];
+    copy_trajectory(cloud, i, spare, k);
+  }
+  for (std::size_t k = 0; k < cloud.size(); ++k) copy_trajectory(spare, k, cloud, k);
+  std::fill(cloud.weight.begin(), cloud.weight.end(), 1.0 / size);
+}
+
 }  // namespace
 
 JointSampler::JointSampler(const JointCloudParams& params, double max_speed, core::Random& random)
-    : params_(params), max_speed_(max_speed), pool_(params.tail_freedom, kPoolSize, random) {}
+    : params_(params), max_speed_(max_speed), pool_(params.tail_freedom, kPoolSize, random) {
+  const std::size_t largest = kLargestCloud * static_cast<std::size_t>(params.trajectories);
+  for (std::vector<double>* values : {&log_weight_, &log_ratio_}) values->reserve(largest);
+  stepped_.reserve(largest);
+}
 
 double JointSampler::log_prior(double speed, double acceleration, bool curved) const {
   const double excess = std::max(0.0, speed - max_speed_) / kSpeedEdge;
@@ -48,35 +94,25 @@ void JointSampler::draw(const CloudMoments& around, std::size_t start, JointClou
   const CloudMoments::Matrix6 scaled =
       floored(around.covariance) *
       (params_.proposal_scale * params_.proposal_scale * (params_.tail_freedom - 2.0) / params_.tail_freedom);
-  Eigen::Matrix<double, 6, 6> root = Eigen::Matrix<double, 6, 6>::Zero();
+  const CloudMoments::Matrix6 root = root_of(scaled, d);
   double log_determinant = 0.0;
-  if (d == 4) {
-    root.topLeftCorner<4, 4>() = scaled.topLeftCorner<4, 4>().llt().matrixL();
-  } else {
-    root = scaled.llt().matrixL();
-  }
   for (int k = 0; k < d; ++k) log_determinant += std::log(root(k, k));
-  double* component[] = {cloud.north.data(),
-                         cloud.east.data(),
-                         cloud.north_velocity.data(),
-                         cloud.east_velocity.data(),
-                         cloud.north_acceleration.data(),
-                         cloud.east_acceleration.data()};
+  const std::array<double*, 6> component = components(cloud);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const ProposalPool::Draw& draw = pool_.at(start, i);
     for (int k = 0; k < d; ++k) {
       double value = around.mean[k];
       for (int l = 0; l <= k; ++l) value += root(k, l) * draw.z[static_cast<std::size_t>(l)];
-      component[k][i] = value;
+      component[static_cast<std::size_t>(k)][i] = value;
     }
-    for (int k = d; k < 6; ++k) component[k][i] = 0.0;
+    for (int k = d; k < 6; ++k) component[static_cast<std::size_t>(k)][i] = 0.0;
     log_weight_[i] = log_determinant - (d == 4 ? draw.log_density4 : draw.log_density6);
   }
 }
 
-void JointSampler::add_prior(const JointCloud& cloud) {
+void JointSampler::add_prior(const JointCloud& cloud, std::span<double> log_weight) const {
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    log_weight_[i] +=
+    log_weight[i] +=
         log_prior(std::hypot(cloud.north_velocity[i], cloud.east_velocity[i]),
                   std::hypot(cloud.north_acceleration[i], cloud.east_acceleration[i]), cloud.curved);
 }
@@ -102,12 +138,13 @@ SamplingResult JointSampler::sample(const SamplingTask& task, JointLikelihood& l
   cloud.reserve(std::max(size, kLargestCloud * static_cast<std::size_t>(params_.trajectories)));
   cloud.resize(size);
   log_weight_.resize(size);
+  log_ratio_.resize(size);
   CloudMoments around = task.guess;
   SamplingResult result;
   for (int round = 0; round < task.rounds; ++round) {
     draw(around, random(), cloud);
-    add_prior(cloud);
-    likelihood.add(cloud, around.mean, task.ages, task.self, log_weight_);
+    score(cloud, around.mean, task, likelihood, log_ratio_);
+    for (std::size_t i = 0; i < size; ++i) log_weight_[i] += log_ratio_[i];
     result.log_evidence =
         normalise_log_weights(log_weight_, cloud.weight) - std::log(static_cast<double>(size));
     result.effective_share = cloud.effective_size() / static_cast<double>(size);
@@ -117,6 +154,49 @@ SamplingResult JointSampler::sample(const SamplingTask& task, JointLikelihood& l
     around = next_guess(cloud);
   }
   return result;
+}
+
+// ln of prior times likelihood ratio of each trajectory.
+void JointSampler::score(const JointCloud& cloud, const CloudMoments::Vector6& mean, const SamplingTask& task,
+                         JointLikelihood& likelihood, std::span<double> log_target) const {
+  std::fill(log_target.begin(), log_target.end(), 0.0);
+  likelihood.add(cloud, mean, task.ages, task.self, log_target);
+  add_prior(cloud, log_target);
+}
+
+void JointSampler::move(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random,
+                        JointCloud& cloud) {
+  const CloudMoments moments = cloud.moments();
+  const CloudMoments::Matrix6 root =
+      root_of(floored(moments.covariance) * (params_.move_scale * params_.move_scale), cloud.dimensions());
+  stepped_.curved = cloud.curved;
+  stepped_.resize(cloud.size());
+  log_weight_.resize(cloud.size());
+  log_ratio_.resize(cloud.size());
+  resample(random.uniform(0.0, 1.0), cloud, stepped_);
+  score(cloud, moments.mean, task, likelihood, log_weight_);
+  for (int k = 0; k < params_.moves; ++k) {
+    step(root, random(), cloud);
+    score(stepped_, moments.mean, task, likelihood, log_ratio_);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      if (std::log(random.uniform(0.0, 1.0)) >= log_ratio_[i] - log_weight_[i]) continue;
+      copy_trajectory(stepped_, i, cloud, i);
+      log_weight_[i] = log_ratio_[i];
+    }
+  }
+}
+
+// Fills `stepped_` with the trajectories of `cloud`, each moved at random.
+void JointSampler::step(const CloudMoments::Matrix6& root, std::size_t start, const JointCloud& cloud) {
+  const std::array<double*, 6> component = components(stepped_);
+  const int d = cloud.dimensions();
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    copy_trajectory(cloud, i, stepped_, i);
+    const ProposalPool::Draw& draw = pool_.at(start, i);
+    for (int k = 0; k < d; ++k)
+      for (int l = 0; l <= k; ++l)
+        component[static_cast<std::size_t>(k)][i] += root(k, l) * draw.z[static_cast<std::size_t>(l)];
+  }
 }
 
 }  // namespace lookout::tracking

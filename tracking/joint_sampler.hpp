@@ -29,24 +29,35 @@ struct SamplingResult {
 /// the evidence for it. [Cappe2004] Sec. 2; the prior is flat up to the speed limit.
 class JointSampler {
  public:
+  static constexpr std::size_t kLargestCloud = 2;  ///< In clouds of a track: what a manoeuvre is judged with.
+
   JointSampler(const JointCloudParams& params, double max_speed, core::Random& random);
 
   /// Fills `cloud` with the last round's weighted trajectories.
   SamplingResult sample(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random,
                         JointCloud& cloud);
 
+  /// Resamples `cloud` by its weights and moves each trajectory, `params.moves` times, by a step of a random
+  /// walk with the cloud's covariance, accepted by Metropolis' rule: a density whose edges no proposal fits
+  /// stays alive. [Gilks2001] Sec. 3.
+  void move(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random, JointCloud& cloud);
+
   /// ln of the prior of a velocity [m/s] and an acceleration [m/s^2], 0 for a slow target on a straight line.
   double log_prior(double speed, double acceleration, bool curved) const;
 
  private:
   void draw(const CloudMoments& around, std::size_t start, JointCloud& cloud);
-  void add_prior(const JointCloud& cloud);
+  void add_prior(const JointCloud& cloud, std::span<double> log_weight) const;
+  void score(const JointCloud& cloud, const CloudMoments::Vector6& mean, const SamplingTask& task,
+             JointLikelihood& likelihood, std::span<double> log_target) const;
+  void step(const Eigen::Matrix<double, 6, 6>& root, std::size_t start, const JointCloud& cloud);
   CloudMoments next_guess(JointCloud& cloud);
 
   JointCloudParams params_;
   double max_speed_;
   ProposalPool pool_;
-  std::vector<double> log_weight_;
+  std::vector<double> log_weight_, log_ratio_;
+  JointCloud stepped_;  ///< Where the trajectories of a cloud would be after a step.
 };
 
 }  // namespace lookout::tracking

@@ -26,7 +26,15 @@ JointState::JointState(const JointTrackerParams& params, const core::SonarParams
       sampler(params.cloud, sonar.max_speed, random),
       max_tracks_(static_cast<std::size_t>(params.life.max_tracks)),
       settled_log_odds_(params.life.settled_log_odds) {
+  const std::size_t largest =
+      JointSampler::kLargestCloud * static_cast<std::size_t>(params.cloud.trajectories);
+  fresh.reserve(largest);
   tracks.reserve(max_tracks_);
+  tracks.resize(std::min(max_tracks_, static_cast<std::size_t>(params.life.ready_tracks)));
+  for (JointTrack& track : tracks) {
+    track.cloud.reserve(largest);
+    track.log_ratio.reserve(largest);
+  }
 }
 
 JointTrack* JointState::free_track() {

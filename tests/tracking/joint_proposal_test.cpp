@@ -15,11 +15,10 @@ TEST(SeedOf, TakesStateSpreadAndAgeOfTheProposal) {
   element.velocity = {1.0, -0.5};
   element.covariance = 4.0 * Eigen::Matrix4d::Identity();
   element.initial_utime = 7'000'000;  // Scan 14 of 0 .. 19.
-  const BirthSeed seed = seed_of(element, scans, {-3.0, -9.0});
+  const BirthSeed seed = seed_of(element, scans);
   EXPECT_EQ(seed.guess.mean.head<4>(), Eigen::Vector4d(60.0, 10.0, 1.0, -0.5));
   EXPECT_DOUBLE_EQ(seed.guess.covariance(2, 2), 4.0);
-  EXPECT_EQ(seed.ages.oldest, 5);
-  EXPECT_DOUBLE_EQ(seed.log_density, -3.0);
+  EXPECT_EQ(seed.start_age, 5);
 }
 
 }  // namespace
