@@ -18,9 +18,9 @@ struct KalmanParams {
   double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
   /// Largest distance from a prediction to its detection [m], > 0: with this process noise the statistical
   /// gate of a track that was missed twice covers much of the sector.
-  double gate_distance = 12.0;
+  double gate_distance = 10.0;
   TrackLifeParams life{
-      .confirm_hits = 3, .confirm_scans = 5, .max_misses = 5.0, .first_misses = 5.0, .misses_per_hit = 0.0};
+      .confirm_hits = 4, .confirm_scans = 8, .max_misses = 6.0, .first_misses = 6.0, .misses_per_hit = 0.0};
 };
 
 /// A Kalman filter a target and nearest-neighbour association: each track in turn, the confirmed ones first,
