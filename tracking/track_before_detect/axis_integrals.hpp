@@ -21,7 +21,8 @@ double cell_probability(double mean, double variance, double low, double high);
 double cell_first_moment(double mean, double variance, double low, double high);
 double cell_second_moment(double mean, double variance, double low, double high);
 
-/// The integrals over a run of neighbouring cells: one error function and one exponential an edge.
+/// The integrals over a run of neighbouring cells: one error function and one exponential an edge. Cells with
+/// a probability below 1e-150 hold 0.
 class AxisIntegrals {
  public:
   /// Cells [first_cell, first_cell + num_cells); num_cells >= 0, variance > 0. Keeps its buffers.

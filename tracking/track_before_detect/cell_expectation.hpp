@@ -52,7 +52,10 @@ class CellExpectation {
  public:
   virtual ~CellExpectation() = default;
 
-  /// Takes up a frame (kept by reference until the next call) and its displayed-cell threshold.
+  /// Takes up a frame (kept by reference until the next call) and its displayed-cell threshold. The caller
+  /// has checked it with check_frame, or for the gated form with check_frame_shape: that form checks the
+  /// cells that it reads, here and in `evaluate`. @throws std::invalid_argument where one of these is
+  /// damaged.
   virtual void prepare(const IntensityFrame& frame, double threshold) = 0;
 
   /// The sums for one set of models; valid until the next call. Models share the frame with a background of

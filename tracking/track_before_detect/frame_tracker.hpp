@@ -35,7 +35,8 @@ class FrameTracker {
   /// Takes up to batch_length() frames; steps[t] >= 0 is the time from the frame before (at
   /// first: from the start) to frames[t].
   /// @return the targets at each of the frames; valid until the next call.
-  /// @throws std::invalid_argument where a frame is damaged (see check_frame) or changes its size.
+  /// @throws std::invalid_argument where a frame is damaged (see check_frame) or changes its size. The gated
+  /// form finds a damaged cell only where it looks, and may have begun to move its targets by then.
   virtual const std::vector<std::vector<FrameTrack>>& process(std::span<const IntensityFrame> frames,
                                                               std::span<const double> steps) = 0;
 };

@@ -29,6 +29,7 @@ class GatedExpectation : public CellExpectation {
     threshold_ = threshold;
     first_sample_ = std::min(params_.background_row_step / 2, frame.rows - 1);
     const CellWindow sampled{0, frame.columns, first_sample_, frame.rows};
+    check_cells(frame, sampled, params_.background_row_step);
     collect_displayed(frame, threshold, sampled, params_.background_row_step, samples_);
   }
 
@@ -59,6 +60,7 @@ class GatedExpectation : public CellExpectation {
     std::tie(gate.first_column, gate.last_column) =
         reach(model.mean.x(), model.variance.x(), frame_->columns);
     std::tie(gate.first_row, gate.last_row) = reach(model.mean.y(), model.variance.y(), frame_->rows);
+    check_cells(*frame_, gate, 1);
     ModelAxes& axes = axes_[k];
     axes.first_column = gate.first_column;
     axes.first_row = gate.first_row;

@@ -1,7 +1,10 @@
 #include "tracking/track_before_detect/intensity_frame.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -15,25 +18,57 @@ namespace {
                               std::to_string(frame.values[cell]));
 }
 
-/// Whether any of the eight cells from `cell` on is displayed; lets the compiler compare them together.
+constexpr std::uint64_t kSignBit = std::uint64_t{1} << 63;
+constexpr std::uint64_t kLeastExponent = std::uint64_t{1} << 52;
+
+bool usable(double value) {
+  return value >= 0.0 && value <= std::numeric_limits<double>::max();  // NaN is neither.
+}
+
+/// Whether all values are usable, by their bits, which the compiler compares many at a time: a sign bit marks
+/// the negative, and one more unit of exponent carries into it from infinity and NaN. False of -0 too.
+bool surely_usable(const double* values, std::size_t count) {
+  std::uint64_t seen = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto bits = std::bit_cast<std::uint64_t>(values[i]);
+    seen |= bits | (bits + kLeastExponent);
+  }
+  return (seen & kSignBit) == 0;
+}
+
+/// Whether any of the eight cells from `cell` on is displayed: the difference is negative.
 bool any_displayed(const double* cell, double threshold) {
-  bool any = false;
-  for (int i = 0; i < 8; ++i) any |= cell[i] > threshold;
-  return any;
+  std::uint64_t seen = 0;
+  for (int i = 0; i < 8; ++i) seen |= std::bit_cast<std::uint64_t>(threshold - cell[i]);
+  return (seen & kSignBit) != 0;
 }
 
 }  // namespace
 
-void check_frame(const IntensityFrame& frame) {
+void check_frame_shape(const IntensityFrame& frame) {
   const auto cells = static_cast<long long>(frame.columns) * frame.rows;
   if (frame.columns < 1 || frame.rows < 1 || static_cast<long long>(frame.values.size()) != cells)
     throw std::invalid_argument("a frame of " + std::to_string(frame.columns) + " x " +
                                 std::to_string(frame.rows) + " cells holds " +
                                 std::to_string(frame.values.size()) + " values");
-  for (std::size_t i = 0; i < frame.values.size(); ++i)
-    if (!(std::isfinite(frame.values[i]) && frame.values[i] >= 0.0)) refuse_cell(frame, i);
   if (!(std::isfinite(frame.noise_level) && frame.noise_level > 0.0))
     throw std::invalid_argument("noise_level must be > 0, got " + std::to_string(frame.noise_level));
+}
+
+void check_cells(const IntensityFrame& frame, const CellWindow& window, int row_step) {
+  for (int row = window.first_row; row < window.last_row; row += row_step) {
+    const std::size_t first = frame.index(window.first_column, row);
+    const double* values = frame.values.data() + first;
+    const auto columns = static_cast<std::size_t>(window.columns());
+    if (surely_usable(values, columns)) continue;
+    const double* bad = std::find_if_not(values, values + columns, usable);
+    if (bad != values + columns) refuse_cell(frame, first + static_cast<std::size_t>(bad - values));
+  }
+}
+
+void check_frame(const IntensityFrame& frame) {
+  check_frame_shape(frame);
+  check_cells(frame, {0, frame.columns, 0, frame.rows}, 1);
 }
 
 double median_of(std::vector<double> values) {

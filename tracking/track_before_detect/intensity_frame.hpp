@@ -20,10 +20,6 @@ struct IntensityFrame {
   double at(int column, int row) const { return values[index(column, row)]; }
 };
 
-/// @throws std::invalid_argument where the size disagrees with the values, a value is negative or not finite
-/// (its cell is named) or the noise level is not positive.
-void check_frame(const IntensityFrame& frame);
-
 /// Median of the values (of a copy); 0 of none.
 double median_of(std::vector<double> values);
 
@@ -37,8 +33,7 @@ struct DisplayedCell {
   double intensity = 0.0;
 };
 
-/// Overwrites `cells` with the displayed cells of the window [first_column, last_column) x [first_row,
-/// last_row), in row order; every `row_step`-th row alone.
+/// The cells [first_column, last_column) x [first_row, last_row).
 struct CellWindow {
   int first_column = 0, last_column = 0;
   int first_row = 0, last_row = 0;
@@ -48,6 +43,15 @@ struct CellWindow {
   int columns() const { return last_column - first_column; }
   int rows() const { return last_row - first_row; }
 };
+/// @throws std::invalid_argument where the size disagrees with the values or the noise level is not positive.
+void check_frame_shape(const IntensityFrame& frame);
+/// @throws std::invalid_argument naming the first cell of the window (every `row_step`-th row of it) whose
+/// value is negative or not finite.
+void check_cells(const IntensityFrame& frame, const CellWindow& window, int row_step);
+/// Both, of all cells.
+void check_frame(const IntensityFrame& frame);
+
+/// Overwrites `cells` with the displayed cells of the window, in row order; every `row_step`-th row alone.
 void collect_displayed(const IntensityFrame& frame, double threshold, const CellWindow& window, int row_step,
                        std::vector<DisplayedCell>& cells);
 

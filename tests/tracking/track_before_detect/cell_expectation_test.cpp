@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "tests/tracking/track_before_detect/frame_maker.hpp"
@@ -112,6 +113,20 @@ TEST(CellExpectation, AnEmptyFrameGivesZerosAndNoNaN) {
     EXPECT_EQ(result.targets[0].responsibility, 0.0);
     EXPECT_EQ(result.targets[0].first, Eigen::Vector2d::Zero());
   }
+}
+
+TEST(CellExpectation, GatedChecksTheCellsThatItReads) {
+  IntensityFrame frame{60, 40, std::vector<double>(2400, 1.0)};
+  const std::vector<CellModel> one{{{30.0, 20.0}, {4.0, 4.0}, 0.5}};
+  const auto gated = make_cell_expectation(CellForm::gated, Truncation::zero);
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  frame.values[frame.index(1, 1)] = nan;  // Outside its gate of 12 cells each way and no sampled row.
+  gated->prepare(frame, 3.0);
+  EXPECT_NO_THROW(gated->evaluate(0.5, one));
+  frame.values[frame.index(33, 22)] = nan;
+  EXPECT_THROW(gated->evaluate(0.5, one), std::invalid_argument);
+  frame.values[frame.index(5, 16)] = nan;  // Row 16 is half a step of 32 from the top: the first sampled.
+  EXPECT_THROW(gated->prepare(frame, 3.0), std::invalid_argument);
 }
 
 TEST(CellExpectation, GatedRefusesTheRefill) {

@@ -26,6 +26,24 @@ TEST(IntensityFrame, NamesTheCellThatIsNotANumber) {
   }
 }
 
+TEST(IntensityFrame, RefusesEveryKindOfDamageAndTakesEveryKindOfNumber) {
+  using Limits = std::numeric_limits<double>;
+  for (const double bad : {Limits::quiet_NaN(), -Limits::quiet_NaN(), Limits::infinity(), -Limits::infinity(),
+                           -1.0, -Limits::denorm_min(), Limits::lowest()})
+    EXPECT_THROW(check_frame({3, 1, {1.0, bad, 1.0}}), std::invalid_argument) << bad;
+  for (const double good : {0.0, -0.0, Limits::denorm_min(), Limits::min(), Limits::max()})
+    EXPECT_NO_THROW(check_frame({3, 1, {1.0, good, 1.0}})) << good;
+}
+
+TEST(IntensityFrame, ChecksTheCellsOfAWindowAlone) {
+  IntensityFrame frame{4, 4, std::vector<double>(16, 1.0)};
+  frame.values[frame.index(3, 2)] = -1.0;
+  EXPECT_NO_THROW(check_cells(frame, {0, 3, 0, 4}, 1));
+  EXPECT_NO_THROW(check_cells(frame, {0, 4, 1, 4}, 2));  // Rows 1 and 3.
+  EXPECT_THROW(check_cells(frame, {0, 4, 0, 4}, 2), std::invalid_argument);
+  EXPECT_NO_THROW(check_frame_shape(frame));
+}
+
 TEST(IntensityFrame, ThresholdIsTenLogTen) {
   EXPECT_DOUBLE_EQ(displayed_threshold(2.0, 10.0), 20.0);
   EXPECT_DOUBLE_EQ(displayed_threshold(2.0, 0.0), 2.0);
