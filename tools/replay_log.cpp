@@ -20,21 +20,13 @@ bool same(const core::TrackList& a, const core::TrackList& b) {
                     [](const core::Track& x, const core::Track& y) { return same(x, y); });
 }
 
-}  // namespace
-
-TrackedRun replay_log(const std::string& path, const std::string& channel_prefix,
-                      const Configuration& configuration, std::uint64_t seed, LogFigures& figures) {
-  const lcmtypes::Channels channels(channel_prefix);
-  RecordedChain chain(configuration, seed);
-  TrackedRun run;
-  lcmtypes::Inbox inbox;
+/// Takes every message of the log; scans and images reach the chain by what `inbox` holds for them already.
+template <class Chain>
+void take_log(const std::string& path, const lcmtypes::Channels& channels, lcmtypes::Inbox& inbox,
+              Chain& chain, TrackedRun& run, LogFigures& figures) {
   inbox.on<vehicle_state_t>(channels.vehicle_state(), [&](const core::VehicleState& state) {
     run.recording.vehicle.push_back(state);
     chain.add(state);
-  });
-  inbox.on<sonar_scan_t>(channels.sonar_scan(), [&](const core::SonarScan& scan) {
-    run.recording.scans.push_back(scan);
-    chain.add(scan);
   });
   inbox.on<ground_truth_t>(channels.ground_truth(),
                            [&](core::GroundTruth truth) { run.recording.truth.push_back(std::move(truth)); });
@@ -51,6 +43,45 @@ TrackedRun replay_log(const std::string& path, const std::string& channel_prefix
   figures.bad_messages = inbox.bad_messages();
   run.output = chain.output();
   run.counts = chain.counts();
+}
+
+/// Images are tracked; scans beside them are kept in the recording alone.
+void replay_images(const std::string& path, const lcmtypes::Channels& channels,
+                   const Configuration& configuration, TrackedRun& run, LogFigures& figures) {
+  RecordedImageChain chain(configuration);
+  lcmtypes::Inbox inbox;
+  inbox.on<sonar_scan_t>(channels.sonar_scan(),
+                         [&](const core::SonarScan& scan) { run.recording.scans.push_back(scan); });
+  inbox.on<sonar_image_t>(channels.sonar_image(), [&](const core::SonarImage& image) {
+    ++figures.pings;
+    chain.add(image);
+  });
+  take_log(path, channels, inbox, chain, run, figures);
+}
+
+void replay_scans(const std::string& path, const lcmtypes::Channels& channels,
+                  const Configuration& configuration, std::uint64_t seed, TrackedRun& run,
+                  LogFigures& figures) {
+  RecordedChain chain(configuration, seed);
+  lcmtypes::Inbox inbox;
+  inbox.on<sonar_scan_t>(channels.sonar_scan(), [&](const core::SonarScan& scan) {
+    ++figures.pings;
+    run.recording.scans.push_back(scan);
+    chain.add(scan);
+  });
+  take_log(path, channels, inbox, chain, run, figures);
+}
+
+}  // namespace
+
+TrackedRun replay_log(const std::string& path, const std::string& channel_prefix,
+                      const Configuration& configuration, std::uint64_t seed, LogFigures& figures) {
+  const lcmtypes::Channels channels(channel_prefix);
+  TrackedRun run;
+  if (tracks_images(configuration))
+    replay_images(path, channels, configuration, run, figures);
+  else
+    replay_scans(path, channels, configuration, seed, run, figures);
   keep_in_order(run.recording.vehicle);
   run.recording.params = run.recording.scans.empty()
                              ? configuration.sensor

@@ -14,10 +14,12 @@ struct LogFigures {
   std::int64_t damages = 0;             ///< Stretches that could not.
   std::int64_t bytes_lost = 0;          ///< In them.
   std::int64_t bad_messages = 0;        ///< On our channels, undecodable or refused.
+  std::int64_t pings = 0;               ///< Scans, or images where these are tracked.
   std::vector<core::TrackList> tracks;  ///< The TRACKS in the log.
 };
 
-/// Takes the messages of the log through the chain in the order of the log, as a tracker live would have.
+/// Takes the messages of the log through the chain in the order of the log, as a tracker live would have: its
+/// scans, or its images where the configuration's estimator tracks these.
 /// @throws core::InputError where the file is no readable log.
 TrackedRun replay_log(const std::string& path, const std::string& channel_prefix,
                       const Configuration& configuration, std::uint64_t seed, LogFigures& figures);

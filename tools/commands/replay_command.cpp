@@ -53,10 +53,11 @@ TrackedRun replay_and_unpack_log(const std::string& path, const Configuration& c
                                  const Options& options) {
   LogFigures figures;
   TrackedRun run = replay_log(path, options.channel_prefix, configuration, options.seed, figures);
-  if (run.recording.scans.empty())
-    throw core::InputError(
-        path + ": holds no scan on " + options.channel_prefix +
-        "SONAR_SCAN; expected an LCM log of the sonar (--channel-prefix names the vehicle)");
+  const std::string ping = tracks_images(configuration) ? "image" : "scan";
+  if (figures.pings == 0)
+    throw core::InputError(path + ": holds no " + ping + " on " + options.channel_prefix + "SONAR_" +
+                           (ping == "image" ? "IMAGE" : "SCAN") +
+                           "; expected an LCM log of the sonar (--channel-prefix names the vehicle)");
   tell(figures, run, path);
   core::write_recording(options.out, run.recording);
   if (!figures.tracks.empty()) core::write_tracks(options.out + "/logged_tracks.csv", figures.tracks);
@@ -70,14 +71,13 @@ int replay_command(const Options& options) {
     throw core::InputError("replay: expected one recording directory or LCM log");
   if (options.out.empty()) throw core::InputError("replay: --out DIR is missing");
   Configuration configuration = load_configuration(options);
-  if (tracks_images(configuration))
-    throw core::InputError(
-        "--estimator: h_pmht needs raw images, which recordings do not hold; replay the log with "
-        "lcm-logplayer into lookout track");
   make_scorer(options);  // A bad flag stops here, before the work.
   std::string input = options.inputs[0];
   if (input.starts_with("file://")) input = input.substr(7, input.find('?') - 7);
   const bool is_directory = std::filesystem::is_directory(input);
+  if (is_directory && tracks_images(configuration))
+    throw core::InputError("--estimator: h_pmht needs raw images, which " + input +
+                           " does not hold; expected an LCM log with SONAR_IMAGE");
   if (is_directory && std::filesystem::exists(options.out) && std::filesystem::equivalent(input, options.out))
     throw core::InputError("--out: is the recording itself, expected another directory");
   make_directory(options.out);

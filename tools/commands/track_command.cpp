@@ -17,10 +17,15 @@ void warn(const std::string& line) {
 
 /// Works until its limits are reached and says what it did.
 template <class Node>
-int work(Node& node, const lcmtypes::LoopLimits& limits) {
+int work(Node& node, const lcmtypes::LoopLimits& limits, const Options& options) {
   node.run(limits);
   log_info("track: " + describe(node.counts()) + "; latency p50 " + core::shortest(node.latency(0.50)) +
            " ms, p99 " + core::shortest(node.latency(0.99)) + " ms");
+  if (options.publish_estimates)
+    log_info("track: link: " + std::to_string(node.link().messages_sent()) + " estimates, " +
+             std::to_string(node.link().bytes_sent()) + " bytes, at most " +
+             std::to_string(node.link().most_bytes_in_a_second()) +
+             " in any second, longest wait of a track " + core::shortest(node.link().longest_wait()) + " s");
   return 0;
 }
 
@@ -42,17 +47,11 @@ int track_command(const Options& options) {
   if (tracks_images(configuration)) {
     tracking::ImageTrackerNode node(bus, params, warn);
     log_info("track: h_pmht on SONAR_IMAGE");
-    return work(node, limits);
+    return work(node, limits, options);
   }
   tracking::TrackerNode node(bus, params, tracker_maker(configuration, options.seed), warn);
   log_info("track: tracker " + configuration.tracker.name + ", seed " + std::to_string(options.seed));
-  work(node, limits);
-  if (options.publish_estimates)
-    log_info("track: link: " + std::to_string(node.link().messages_sent()) + " estimates, " +
-             std::to_string(node.link().bytes_sent()) + " bytes, at most " +
-             std::to_string(node.link().most_bytes_in_a_second()) +
-             " in any second, longest wait of a track " + core::shortest(node.link().longest_wait()) + " s");
-  return 0;
+  return work(node, limits, options);
 }
 
 }  // namespace lookout::tools

@@ -2,40 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-#include <stdexcept>
-
+#include "tests/tracking/track_before_detect/expectations.hpp"
 #include "tests/tracking/track_before_detect/frame_maker.hpp"
 
 namespace lookout::tracking {
 namespace {
-
-void expect_same(const Expectation& a, const Expectation& b, double relative) {
-  const auto near = [relative](double x, double y, double scale) {
-    EXPECT_NEAR(x, y, relative * std::max({std::abs(x), std::abs(y), scale, 1e-9}));
-  };
-  near(a.total_probability, b.total_probability, 0.0);
-  near(a.total_intensity, b.total_intensity, 0.0);
-  ASSERT_EQ(a.targets.size(), b.targets.size());
-  for (std::size_t k = 0; k < a.targets.size(); ++k) {
-    const double n = b.targets[k].responsibility;
-    near(a.targets[k].responsibility, n, 0.0);
-    near(a.targets[k].mass_inside, b.targets[k].mass_inside, 0.0);
-    for (int i = 0; i < 2; ++i) {
-      near(a.targets[k].first[i], b.targets[k].first[i], n);
-      near(a.targets[k].second[i], b.targets[k].second[i], 0.0);
-    }
-  }
-}
-
-const std::vector<CellModel>& models() {
-  static const std::vector<CellModel> kModels{
-      {{31.7, 20.2}, {7.6, 7.6}, 0.5},   // on the target
-      {{2.0, 38.0}, {4.0, 2.0}, 0.2},    // on a corner of cells near a corner of the frame
-      {{33.0, 24.0}, {9.0, 12.0}, 0.1},  // overlapping the first
-  };
-  return kModels;
-}
 
 class Forms : public ::testing::TestWithParam<Truncation> {};
 
@@ -56,25 +27,6 @@ TEST_P(Forms, PerCellSeparableAndSparseAgree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Both, Forms, ::testing::Values(Truncation::impute, Truncation::zero));
-
-TEST(CellExpectation, GatedEqualsSparseWhereTheGateHoldsTheModel) {
-  core::Random random(1001);
-  const IntensityFrame frame = noisy_frame(120, 90, 26, 16, 12, 8, random);
-  const auto sparse = make_cell_expectation(CellForm::sparse, Truncation::zero);
-  const auto gated = make_cell_expectation(CellForm::gated, Truncation::zero, {9.0, 2, 8});
-  for (const auto& e_step : {sparse.get(), gated.get()})
-    e_step->prepare(frame, displayed_threshold(frame.noise_level, 5.0));
-  expect_same(gated->evaluate(0.2, models()), sparse->evaluate(0.2, models()), 1e-9);
-}
-
-TEST(CellExpectation, GatedLearnsTheBackgroundOutsideFromSampledRows) {
-  const IntensityFrame frame{200, 160, std::vector<double>(32000, 2.0)};
-  const auto gated = make_cell_expectation(CellForm::gated, Truncation::zero);
-  gated->prepare(frame, 1.0);
-  const std::vector<CellModel> one{{{100.0, 80.0}, {4.0, 4.0}, 0.5}};
-  // Every cell holds 2, so that the frame holds 64000; the gate's share of the sampled rows is an estimate.
-  EXPECT_NEAR(gated->evaluate(0.5, one).total_intensity, 64000.0, 0.02 * 64000.0);
-}
 
 TEST(CellExpectation, CountsOneIntegralPerExpressionCellAndAxis) {
   const IntensityFrame frame{200, 200, std::vector<double>(40000, 1.0)};
@@ -113,24 +65,6 @@ TEST(CellExpectation, AnEmptyFrameGivesZerosAndNoNaN) {
     EXPECT_EQ(result.targets[0].responsibility, 0.0);
     EXPECT_EQ(result.targets[0].first, Eigen::Vector2d::Zero());
   }
-}
-
-TEST(CellExpectation, GatedChecksTheCellsThatItReads) {
-  IntensityFrame frame{60, 40, std::vector<double>(2400, 1.0)};
-  const std::vector<CellModel> one{{{30.0, 20.0}, {4.0, 4.0}, 0.5}};
-  const auto gated = make_cell_expectation(CellForm::gated, Truncation::zero);
-  const double nan = std::numeric_limits<double>::quiet_NaN();
-  frame.values[frame.index(1, 1)] = nan;  // Outside its gate of 12 cells each way and no sampled row.
-  gated->prepare(frame, 3.0);
-  EXPECT_NO_THROW(gated->evaluate(0.5, one));
-  frame.values[frame.index(33, 22)] = nan;
-  EXPECT_THROW(gated->evaluate(0.5, one), std::invalid_argument);
-  frame.values[frame.index(5, 16)] = nan;  // Row 16 is half a step of 32 from the top: the first sampled.
-  EXPECT_THROW(gated->prepare(frame, 3.0), std::invalid_argument);
-}
-
-TEST(CellExpectation, GatedRefusesTheRefill) {
-  EXPECT_THROW(make_cell_expectation(CellForm::gated, Truncation::impute), std::invalid_argument);
 }
 
 }  // namespace

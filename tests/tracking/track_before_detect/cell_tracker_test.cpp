@@ -2,30 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include <algorithm>
 #include <stdexcept>
 
-#include "core/random.hpp"
+#include "tests/tracking/track_before_detect/blobs.hpp"
 
 namespace lookout::tracking {
 namespace {
-
-/// Rayleigh noise of median 1 with Gaussian blobs of the given amplitude.
-IntensityFrame blobs(const std::vector<Eigen::Vector2d>& centres, double amplitude, core::Random& random) {
-  IntensityFrame frame{120, 80, {}};
-  const double sigma = 1.0 / std::sqrt(2.0 * std::log(2.0));
-  for (int row = 0; row < 80; ++row)
-    for (int column = 0; column < 120; ++column) {
-      double signal = 0.0;
-      for (const auto& centre : centres) {
-        const Eigen::Array2d u =
-            (Eigen::Vector2d(column + 0.5, row + 0.5) - centre).array() / Eigen::Array2d(1.1, 0.75);
-        signal += amplitude * std::exp(-0.5 * u.square().sum());
-      }
-      frame.values.push_back(std::hypot(signal + random.gaussian(sigma), random.gaussian(sigma)));
-    }
-  return frame;
-}
 
 TEST(CellTracker, APixelTargetIsConfirmedAndFollowed) {
   core::Random random(1000);
@@ -52,20 +35,6 @@ TEST(CellTracker, ATrackWithoutItsTargetEnds) {
   for (int t = 20; t < 45; ++t) tracks = tracker.update(blobs({}, 0.0, random), geometry, t);
   EXPECT_FALSE(
       std::any_of(tracks.begin(), tracks.end(), [](const CellTrack& track) { return track.confirmed; }));
-}
-
-TEST(CellMeasurement, TwoTargetsInOneGateShareTheCells) {
-  core::Random random(1002);
-  std::vector<CellTrack> tracks(2);
-  const Eigen::Vector2d centres[] = {{40.0, 40.0}, {44.5, 40.0}};
-  for (std::size_t k = 0; k < 2; ++k) {
-    tracks[k].state.head<2>() = centres[k] + Eigen::Vector2d(0.5, -0.3);
-    tracks[k].covariance = Eigen::Vector4d(1.0, 1.0, 0.1, 0.1).asDiagonal();
-    tracks[k].intensity = 5.0;
-  }
-  CellMeasurement measurement({});
-  measurement.update(blobs({centres[0], centres[1]}, 20.0, random), PixelGeometry(120, 80), tracks);
-  for (std::size_t k = 0; k < 2; ++k) EXPECT_LT((tracks[k].state.head<2>() - centres[k]).norm(), 0.35);
 }
 
 TEST(CellTracker, RefusesParametersOutOfRange) {
