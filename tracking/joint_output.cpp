@@ -11,7 +11,8 @@ void JointOutput::choose(double unseen, JointState& state) {
     const JointTrack& track = state.tracks[slot];
     const double p = track.used && !track.out_of_view ? track.existence() * track.visible_share : 0.0;
     if (track.log_odds < 0.0) tentative += p;
-    if (p < params_.least_probability) continue;
+    const bool new_and_doubtful = !track.confirmed_once && p < params_.first_existence;
+    if (p < params_.least_probability || (new_and_doubtful && !params_.report_all)) continue;
     candidates_.push_back({slot, p, track.moments.covariance(0, 0) + track.moments.covariance(1, 1)});
   }
   const std::size_t count = report_.choose(candidates_, std::max(0.0, unseen - tentative), state.random);

@@ -56,7 +56,7 @@ struct JointBirthParams {
 struct JointManoeuvreParams {
   double window_s = 8.0;  ///< Stretch that a curved trajectory holds for [s], in (0, 30]. At 6 deg/s and
                           ///< 3 m/s a constant acceleration is then off by at most 0.4 m.
-  double prior = 0.0002;  ///< That a window begins a manoeuvre, in (0, 1).
+  double prior = 0.001;   ///< That a window begins a manoeuvre, in (0, 1).
   double trigger_share = 0.75;  ///< A line is doubted when it brings less than this share of its evidence.
   int sudden_scans = 4;         ///< ... or when over this many scans, >= 1,
   double sudden_nats = 6.0;     ///< it falls this much short of what was to be expected, > 0.
@@ -64,7 +64,7 @@ struct JointManoeuvreParams {
   double position_slack = 2.0;  ///< How far a manoeuvre may have led off the line [m], > 0,
   double velocity_slack = 0.5;  ///< [m/s], > 0, and
   double acceleration_slack = 0.15;  ///< [m/s^2], > 0, one standard deviation each.
-  double straighten_nats = 1.5;      ///< Evidence for the line that ends a manoeuvre.
+  double straighten_nats = 2.5;      ///< Evidence for the line that ends a manoeuvre.
   int young_windows = 2;             ///< A track of at most so many windows may be on a wrong line, >= 0.
   double redraw_nats = 1.0;          ///< Evidence for another line that is worth the change, > 0.
   double rough_nats = 8.0;           ///< Evidence that is believed of a cloud below `trusted_share`.
@@ -89,10 +89,13 @@ struct JointLifeParams {
 /// What is reported.
 struct JointReportParams {
   bool report_all = false;  ///< Every track above `min_existence` rather than the set of least expected OSPA.
-  double min_existence = 0.5;         ///< For report_all, in [0, 1].
-  double cutoff = 20.0;               ///< Of the OSPA that is minimised [m], > 0.
-  int samples = 128;                  ///< Target sets drawn to estimate it, >= 1.
-  double least_probability = 0.02;    ///< From which a track is weighed for the report, in [0, 1].
+  double min_existence = 0.5;       ///< For report_all, in [0, 1].
+  double cutoff = 20.0;             ///< Of the OSPA that is minimised [m], > 0.
+  int samples = 128;                ///< Target sets drawn to estimate it, >= 1.
+  double least_probability = 0.02;  ///< From which a track is weighed for the report, in [0, 1].
+  /// A track that was never reported is not before its existence reaches this, in [0, 1]: below it the
+  /// expected OSPA gains little, and every other such report is a false track.
+  double first_existence = 0.65;
   double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
 };
 

@@ -34,11 +34,14 @@ TEST(JointOutput, AProbableTrackIsConfirmedAndAnUnlikelyOneIsNot) {
   EXPECT_TRUE(state.tracks[0].confirmed_once);
 }
 
-// Expected OSPA with nothing reported and two targets unseen is 20 m; a wrong report costs nothing then.
-TEST(JointOutput, WithMuchUnseenADoubtfulTrackIsReported) {
+// Expected OSPA with nothing reported and six targets unseen is 20 m; a wrong report costs nothing then. But
+// a track that never was sure is not worth it.
+TEST(JointOutput, WithMuchUnseenADoubtfulTrackIsReportedAgain) {
   JointState state = empty_sea();
   add_track(state, kLine, -1.0);
   JointOutput output({}, state.random);
+  EXPECT_EQ(output_of(output, 6.0, state)[0].status, core::TrackStatus::tentative);  // Never reported.
+  state.tracks[0].confirmed_once = true;
   EXPECT_EQ(output_of(output, 6.0, state)[0].status, core::TrackStatus::confirmed);
   EXPECT_EQ(output_of(output, 0.0, state)[0].status, core::TrackStatus::tentative);
 }

@@ -9,6 +9,7 @@
 #include "tools/experiments/limits.hpp"
 #include "tools/experiments/hpmht_sonar.hpp"
 #include "tools/experiments/hpmht_video.hpp"
+#include "tools/experiments/manoeuvres.hpp"
 #include "tools/experiments/nht_experiments.hpp"
 #include "tools/experiments/recordings.hpp"
 #include "tools/experiments/t2gt.hpp"
@@ -21,6 +22,7 @@ const std::array kExperiments{
     ExperimentEntry{"csht-window", make_csht_window},
     ExperimentEntry{"csht-tracking", make_csht_tracking},
     ExperimentEntry{"limits", make_limits},
+    ExperimentEntry{"manoeuvres", make_manoeuvres},
     ExperimentEntry{"recordings", make_recordings},
     ExperimentEntry{"nht-simulated", make_nht_simulated},
     ExperimentEntry{"nht-real", make_nht_real},

@@ -1,9 +1,12 @@
 #include "tools/experiments/simulated_run.hpp"
 
+#include <deque>
 #include <stdexcept>
+#include <string>
 
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/paths.hpp"
+#include "tracking/scan_intake.hpp"
 
 namespace lookout::tools {
 
@@ -20,6 +23,29 @@ std::vector<TimedScan> simulate(const sonar_sim::Scene& scene, std::uint64_t see
     const core::Pose2 T_earth_sonar = core::compose(*body, simulated->scan.T_body_sonar);
     scans.push_back({{std::move(simulated->scan), T_earth_sonar}, std::move(simulated->truth)});
   }
+  return scans;
+}
+
+std::vector<TimedScan> simulate_through_intake(const sonar_sim::Scene& scene, std::uint64_t seed, int run,
+                                               std::size_t platform) {
+  sonar_sim::SonarSimulator simulator(scene, seed, static_cast<std::uint64_t>(run), platform);
+  std::vector<TimedScan> scans;
+  std::deque<core::GroundTruth> truth;  // Of scans that the intake may still hand out.
+  const auto take = [&](const core::PosedScan& posed) {
+    while (truth.front().utime < posed.scan.utime) truth.pop_front();
+    scans.push_back({posed, std::move(truth.front())});
+    truth.pop_front();
+  };
+  const auto reset = [] { throw std::logic_error("a simulated clock never goes back"); };
+  tracking::ScanIntake intake(scene.platforms[platform].sonar.params,
+                              {take, reset, [](const std::string&) {}});
+  while (auto simulated = simulator.next()) {
+    for (const auto& state : simulated->states_before) intake.add(state);
+    truth.push_back(std::move(simulated->truth));
+    intake.add(std::move(simulated->scan));
+    for (const auto& state : simulated->states_after) intake.add(state);
+  }
+  intake.finish();
   return scans;
 }
 

@@ -19,6 +19,11 @@ struct TimedScan {
 std::vector<TimedScan> simulate(const sonar_sim::Scene& scene, std::uint64_t seed, int run,
                                 std::size_t platform = 0);
 
+/// The same, posed by the intake of the live chain: reports reach it when they arrive, and scans without
+/// poses on either side in time are left out.
+std::vector<TimedScan> simulate_through_intake(const sonar_sim::Scene& scene, std::uint64_t seed, int run,
+                                               std::size_t platform = 0);
+
 /// Loads a scene of tools/scenarios by file name, with both probabilities and sigma replaced.
 struct SceneVariant {
   double p_false_alarm = 0.3;
