@@ -45,4 +45,8 @@ struct ModelAxes {
   }
 };
 
+/// The axes of every model over a whole frame; starts the sums of `result`. @return integrals evaluated.
+std::int64_t compute_axes(std::span<const CellModel> models, int columns, int rows,
+                          std::vector<ModelAxes>& axes, Expectation& result);
+
 }  // namespace lookout::tracking

@@ -35,14 +35,7 @@ class SeparableExpectation : public CellExpectation {
  private:
   void start(std::span<const CellModel> models) {
     result_.total_intensity = total_intensity_;
-    result_.targets.assign(models.size(), {});
-    axes_.resize(models.size());
-    for (std::size_t k = 0; k < models.size(); ++k) {
-      axes_[k].x.compute(models[k].mean.x(), models[k].variance.x(), 0, frame_->columns);
-      axes_[k].y.compute(models[k].mean.y(), models[k].variance.y(), 0, frame_->rows);
-      result_.targets[k].mass_inside = axes_[k].mass();
-      num_integrals_ += 3 * (frame_->columns + frame_->rows);
-    }
+    num_integrals_ += compute_axes(models, frame_->columns, frame_->rows, axes_, result_);
   }
 
   Eigen::Map<const Eigen::ArrayXd> row_of(const Eigen::ArrayXd& image, int row) const {

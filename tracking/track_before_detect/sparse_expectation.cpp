@@ -36,14 +36,7 @@ class SparseExpectation : public CellExpectation {
  private:
   void start(std::span<const CellModel> models) {
     result_.total_intensity = total_intensity_;
-    result_.targets.assign(models.size(), {});
-    axes_.resize(models.size());
-    for (std::size_t k = 0; k < models.size(); ++k) {
-      axes_[k].x.compute(models[k].mean.x(), models[k].variance.x(), 0, columns_);
-      axes_[k].y.compute(models[k].mean.y(), models[k].variance.y(), 0, rows_);
-      result_.targets[k].mass_inside = axes_[k].mass();
-      num_integrals_ += 3 * (columns_ + rows_);
-    }
+    num_integrals_ += compute_axes(models, columns_, rows_, axes_, result_);
   }
 
   /// P_l of the displayed cells and P_t.

@@ -12,11 +12,7 @@ namespace {
 double highest(const PlotWindow& window) {
   FphtInitiator method({});
   method.start(window);
-  std::vector<csht::LineVote> cells;
-  method.append_cells(cells);
-  double value = 0.0;
-  for (const auto& cell : cells) value = std::max(value, cell.value);
-  return value;
+  return test::votes_of(method).highest;
 }
 
 TEST(Fpht, ACellGetsTheLargestMembershipOfAScan) {

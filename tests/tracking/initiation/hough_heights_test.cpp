@@ -17,11 +17,7 @@ double highest_vote(const std::string& name, const std::string& variant = "") {
   config.variant = variant;
   const auto method = make_initiator(name, config);
   EXPECT_EQ(method->start(window).tracks.size(), 3u);
-  std::vector<csht::LineVote> cells;
-  dynamic_cast<const HoughInitiator&>(*method).append_cells(cells);
-  double highest = 0.0;
-  for (const auto& cell : cells) highest = std::max(highest, cell.value);
-  return highest;
+  return test::votes_of(*method).highest;
 }
 
 TEST(HoughHeights, StandardTransformCountsEveryScan) {

@@ -16,11 +16,7 @@ TEST(IhtTi, OnlyPairsWithinTheSpeedLimitsVote) {
   const auto method = make_iht_ti({});
   method->start(
       test::scene_of({{{0, 0}, {250, 0}}, {{0, 5000}, {0, 20}}, {{9000, 0}, {0, 900}}}, options, random));
-  std::vector<csht::LineVote> cells;
-  dynamic_cast<const HoughInitiator&>(*method).append_cells(cells);
-  double sum = 0.0;
-  for (const auto& cell : cells) sum += cell.value;
-  EXPECT_EQ(sum, 2.0);  // [Fan2018] Eq. (20), two steps.
+  EXPECT_EQ(test::votes_of(*method).sum, 2.0);  // [Fan2018] Eq. (20), two steps.
 }
 
 }  // namespace

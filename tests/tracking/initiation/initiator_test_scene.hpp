@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <vector>
 
 #include "core/random.hpp"
+#include "tracking/initiation/initiator.hpp"
 #include "tracking/initiation/initiator_config.hpp"
 #include "tracking/initiation/plot_window.hpp"
 
@@ -58,6 +60,22 @@ inline InitiatorConfig config_for_tests() {
   config.acceleration_sigma = 0.0;
   config.sensor_range = 6000.0;
   return config;
+}
+
+/// What the cells of a Hough method hold after its last window.
+struct Votes {
+  double highest = 0.0;
+  double sum = 0.0;
+};
+inline Votes votes_of(const Initiator& method) {
+  std::vector<csht::LineVote> cells;
+  dynamic_cast<const HoughInitiator&>(method).append_cells(cells);
+  Votes votes;
+  for (const csht::LineVote& cell : cells) {
+    votes.highest = std::max(votes.highest, cell.value);
+    votes.sum += cell.value;
+  }
+  return votes;
 }
 
 }  // namespace lookout::tracking::test

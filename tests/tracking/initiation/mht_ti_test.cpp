@@ -13,11 +13,7 @@ double votes_of(Initiator& method) {
   test::SceneOptions options;
   options.scans = 3;
   method.start(test::scene_of({{{0, 0}, {250, 0}}, {{0, 5000}, {0, 20}}}, options, random));
-  std::vector<csht::LineVote> cells;
-  dynamic_cast<const HoughInitiator&>(method).append_cells(cells);
-  double sum = 0.0;
-  for (const auto& cell : cells) sum += cell.value;
-  return sum;
+  return test::votes_of(method).sum;
 }
 
 TEST(MhtTi, EveryPairOfConsecutiveScansVotesOnce) {

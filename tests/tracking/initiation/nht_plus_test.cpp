@@ -16,11 +16,7 @@ NhtPlusParams params() {
 double highest(const PlotWindow& window) {
   NhtPlusInitiator method(params());
   method.start(window);
-  std::vector<csht::LineVote> cells;
-  method.append_cells(cells);
-  double value = 0.0;
-  for (const auto& cell : cells) value = std::max(value, cell.value);
-  return value;
+  return test::votes_of(method).highest;
 }
 
 TEST(NhtPlus, AStepContributesItsLargestVote) {

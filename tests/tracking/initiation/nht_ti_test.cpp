@@ -10,11 +10,7 @@ namespace {
 double votes_of(const NhtTiParams& params, const PlotWindow& window) {
   NhtTiInitiator method(params);
   method.start(window);
-  std::vector<csht::LineVote> cells;
-  method.append_cells(cells);
-  double sum = 0.0;
-  for (const auto& cell : cells) sum += cell.value;
-  return sum;
+  return test::votes_of(method).sum;
 }
 
 /// Two scans of one target: one pair, its first step, 1 - P_F = 0.99. [Fan2018] Eq. (24) with no step before.
