@@ -46,7 +46,8 @@ void CountDecision::prepare(const HoughWindow& window) {
   for (std::size_t k = 0; k < window.samples().size(); ++k) {
     const auto& sample = window.samples()[k];
     if (sample.beam < 0 || sample.beam >= num_beams_) continue;
-    reported_[static_cast<std::size_t>(sample.scan * num_beams_ + sample.beam)] = static_cast<int>(k);
+    const auto row = static_cast<std::size_t>(sample.scan) * static_cast<std::size_t>(num_beams_);
+    reported_[row + static_cast<std::size_t>(sample.beam)] = static_cast<int>(k);
   }
 }
 

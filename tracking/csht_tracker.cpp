@@ -19,6 +19,7 @@ CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParam
       births_(std::move(births)),
       element_association_(params.element_gate),
       sample_association_(chi_square_gate(params.gate_probability, 2)),
+      manoeuvre_(params.manoeuvre),
       smoother_(params.smoother) {
   params.motion.validate();
   if (!(params.min_existence >= 0.0 && params.min_existence <= 1.0))
@@ -62,11 +63,18 @@ void CshtTracker::smooth(const core::SonarParams& sonar) {
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     const int sample = sample_of_track[i];
     const int element = element_of_track_[i];
+    if (sample >= 0) watch(i, detections_[static_cast<std::size_t>(sample)], sonar);
     smoother_.correct(tracks[i], book_.life(i).age(),
                       sample < 0 ? nullptr : &detections_[static_cast<std::size_t>(sample)],
                       element < 0 ? nullptr : &elements_[static_cast<std::size_t>(element)], sonar);
     if (element >= 0) tracks[i].existence = elements_[static_cast<std::size_t>(element)].existence;
   }
+}
+
+/// A young trajectory follows the window: its innovations are not its filter's.
+void CshtTracker::watch(std::size_t track, const core::Detection& sample, const core::SonarParams& sonar) {
+  if (book_.life(track).age() < params_.smoother.young_scans) return;
+  manoeuvre_.notice(book_.tracks()[track], book_.drift(track), sample.p_earth, position_noise(sample, sonar));
 }
 
 void CshtTracker::begin_on_new_elements(const core::PosedScan& scan, const core::SonarParams& sonar) {

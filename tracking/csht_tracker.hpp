@@ -10,6 +10,7 @@
 #include "tracking/association/track_to_element.hpp"
 #include "tracking/birth.hpp"
 #include "tracking/management/trajectory_book.hpp"
+#include "tracking/smoothing/manoeuvre_detector.hpp"
 #include "tracking/smoothing/window_smoother.hpp"
 #include "tracking/tracker.hpp"
 
@@ -19,7 +20,8 @@ namespace lookout::tracking {
 struct CshtTrackerParams {
   ElementGate element_gate;         ///< See there.
   double gate_probability = 0.999;  ///< Share of own echoes inside the sample gate, in (0, 1).
-  MotionModelParams motion{.acceleration_sigma = 0.005};  ///< Small: the window catches what turns.
+  MotionModelParams motion{.acceleration_sigma = 0.005};  ///< Almost straight, until `manoeuvre`.
+  ManoeuvreParams manoeuvre;                              ///< See there.
   WindowSmootherParams smoother;                          ///< See there.
   TrackLifeParams life;        ///< Reported at once; drop rule min(5, 1 + .2 hits).
   double min_existence = 0.5;  ///< Elements below it are false targets, in [0, 1].
@@ -44,6 +46,7 @@ class CshtTracker : public Tracker {
  private:
   void associate(const core::SonarParams& sonar);
   void smooth(const core::SonarParams& sonar);
+  void watch(std::size_t track, const core::Detection& sample, const core::SonarParams& sonar);
   void begin_on_new_elements(const core::PosedScan& scan, const core::SonarParams& sonar);
 
   CshtTrackerParams params_;
@@ -57,6 +60,7 @@ class CshtTracker : public Tracker {
   GlobalNearestNeighbour sample_association_;
   std::vector<int> element_of_track_;
   std::vector<char> use_track_, use_detection_, supported_, explained_;
+  ManoeuvreDetector manoeuvre_;
   WindowSmoother smoother_;
 };
 

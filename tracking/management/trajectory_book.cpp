@@ -24,9 +24,11 @@ void TrajectoryBook::step(const core::PosedScan& scan, const core::SonarParams& 
     tracks_[i].status = lives_[i].status();
     tracks_[kept] = tracks_[i];
     lives_[kept] = lives_[i];
+    drifts_[kept] = drifts_[i];
     ++kept;
   }
   tracks_.resize(kept);
+  drifts_.resize(kept);
   lives_.erase(lives_.begin() + static_cast<std::ptrdiff_t>(kept), lives_.end());
 }
 
@@ -41,6 +43,7 @@ void TrajectoryBook::begin(std::int64_t utime, const Eigen::Vector4d& state,
   track.first_utime = utime;
   track.last_detection_utime = utime;
   tracks_.push_back(track);
+  drifts_.emplace_back(0.0, 0.0);
 }
 
 }  // namespace lookout::tracking

@@ -31,11 +31,14 @@ class TrajectoryBook {
   std::span<core::Track> tracks() { return tracks_; }
   std::span<const core::Track> tracks() const { return tracks_; }
   const TrackLife& life(std::size_t index) const { return lives_[index]; }
+  /// The running mean of a trajectory's innovations, zero at birth: kept for ManoeuvreDetector.
+  Eigen::Vector2d& drift(std::size_t index) { return drifts_[index]; }
 
  private:
   TrackLifeParams params_;
   std::vector<core::Track> tracks_;
-  std::vector<TrackLife> lives_;  ///< Of `tracks_`, index by index.
+  std::vector<TrackLife> lives_;         ///< Of `tracks_`, index by index.
+  std::vector<Eigen::Vector2d> drifts_;  ///< Likewise.
   std::int64_t utime_ = 0;
   std::int64_t next_id_ = 1;
 };

@@ -1,0 +1,41 @@
+#include "tracking/smoothing/manoeuvre_detector.hpp"
+
+#include <Eigen/Cholesky>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::tracking {
+namespace {
+
+void require(bool holds, const char* expected, double value) {
+  if (!holds)
+    throw std::invalid_argument("manoeuvre: " + std::string(expected) + ", got " + std::to_string(value));
+}
+
+}  // namespace
+
+void ManoeuvreParams::validate() const {
+  require(share > 0.0 && share < 1.0, "share must be in (0, 1)", share);
+  require(threshold > 0.0, "threshold must be > 0", threshold);
+  require(position_variance >= 0.0, "position_variance must be >= 0", position_variance);
+  require(velocity_variance >= 0.0, "velocity_variance must be >= 0", velocity_variance);
+}
+
+ManoeuvreDetector::ManoeuvreDetector(const ManoeuvreParams& params) : params_(params) {
+  params_.validate();
+}
+
+bool ManoeuvreDetector::notice(core::Track& track, Eigen::Vector2d& drift, const Eigen::Vector2d& position,
+                               const Eigen::Matrix2d& noise) const {
+  const Eigen::Matrix2d innovation = track.covariance.topLeftCorner<2, 2>() + noise;
+  const Eigen::Vector2d whitened = innovation.llt().matrixL().solve(position - track.position());
+  drift = (1.0 - params_.share) * drift + params_.share * whitened;
+  // The running mean of independent unit variables has the variance share / (2 - share).
+  if (drift.squaredNorm() * (2.0 - params_.share) / params_.share <= params_.threshold) return false;
+  drift.setZero();
+  track.covariance.diagonal().head<2>().array() += params_.position_variance;
+  track.covariance.diagonal().tail<2>().array() += params_.velocity_variance;
+  return true;
+}
+
+}  // namespace lookout::tracking
