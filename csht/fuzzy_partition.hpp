@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -24,14 +25,16 @@ class WeightedPoints {
 
   int size() const { return size_; }  ///< Without padding.
   int num_blocks() const { return static_cast<int>(x_.size()) / kBlock; }
-  const float* x(int block) const { return x_.data() + block * kBlock; }
-  const float* y(int block) const { return y_.data() + block * kBlock; }
-  const float* weight(int block) const { return weight_.data() + block * kBlock; }
+  const float* x(int block) const { return x_.data() + first(block); }
+  const float* y(int block) const { return y_.data() + first(block); }
+  const float* weight(int block) const { return weight_.data() + first(block); }
   double total_weight() const { return total_weight_; }
   /// Weighted mean of the points; they must have weight.
   FeaturePoint mean() const;
 
  private:
+  static std::ptrdiff_t first(int block) { return std::ptrdiff_t{block} * kBlock; }
+
   int size_ = 0;
   double total_weight_ = 0.0;
   std::vector<float> x_, y_, weight_;
