@@ -18,7 +18,7 @@ struct JointEvidenceParams {
   int samples = 160;          ///< Per stage, >= 32.
   int stages = 3;             ///< Stages of a candidate that stays hopeful, >= 1; the last one counts.
   Tolerance first{1.2, 0.5};  ///< Of the first stage; the last stage has `last`.
-  Tolerance last{1.0, 0.1};
+  Tolerance last{1.0, 0.04};
   double proposal_scale = 1.1;  ///< The proposal's sigma over the estimated one, > 0.
   double wide_scale = 2.2;      ///< That of the wide part of the proposal, > proposal_scale.
   double wide_share = 0.125;    ///< Share of samples in the wide part, in (0, 1).
