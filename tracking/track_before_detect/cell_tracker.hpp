@@ -105,10 +105,10 @@ class CellTracker : public CellTargetTracker {
 
   /// Takes the frame at `time` [s]; times increase. The tracks stay valid until the next call.
   const std::vector<CellTrack>& update(const IntensityFrame& frame, const CellGeometry& geometry,
-                                       double time);
+                                       double time) override;
 
   const std::vector<CellTrack>& tracks() const { return tracks_; }
-  void reset();  ///< Forgets all tracks; ids go on.
+  void reset() override;  ///< Forgets all tracks; ids go on.
 
  private:
   void predict(double time);
