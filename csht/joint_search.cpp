@@ -113,17 +113,32 @@ void JointSearch::weigh_candidates(const ScanHistory& history, int window, core:
 // Earlier targets were weighed before later ones took their beams: once more, given all others.
 void JointSearch::estimate_again(const ScanHistory& history, int window, const ClaimSet& known,
                                  core::Random& random) {
-  for (std::size_t k = 0; k < targets_.size(); ++k) {
-    claims_ = known;
-    for (std::size_t j = 0; j < targets_.size(); ++j)
-      if (j != k) claims_.claim(history, targets_[j].samples, targets_[j].existence());
-    evidence_.decide(history, window, claims_, prior_, random, targets_[k]);
-  }
+  decide_given_others(history, window, known, 0, targets_.size(), 0, random);
   const auto gone = [this](const TargetHypothesis& t) { return !(t.log_odds > params_.accept_above); };
   std::copy_if(targets_.begin(), targets_.end(), std::back_inserter(candidates_), gone);
   std::erase_if(targets_, gone);
   std::sort(targets_.begin(), targets_.end(),
             [](const TargetHypothesis& a, const TargetHypothesis& b) { return a.log_odds > b.log_odds; });
+}
+
+// Decides targets `first` to `end` in turn, each given all others: by halves, since claims can be added but
+// not taken back. N targets cost N log N claims in place of N^2.
+// @param others what all but these own.
+void JointSearch::decide_given_others(const ScanHistory& history, int window, const ClaimSet& others,
+                                      std::size_t first, std::size_t end, std::size_t depth,
+                                      core::Random& random) {
+  if (first == end) return;
+  if (end - first == 1) return evidence_.decide(history, window, others, prior_, random, targets_[first]);
+  if (others_.size() <= depth) others_.resize(depth + 1);
+  const std::size_t middle = first + (end - first) / 2;
+  const auto with = [&](std::size_t from, std::size_t to) -> const ClaimSet& {
+    others_[depth] = others;
+    for (std::size_t k = from; k < to; ++k)
+      others_[depth].claim(history, targets_[k].samples, targets_[k].existence());
+    return others_[depth];
+  };
+  decide_given_others(history, window, with(middle, end), first, middle, depth + 1, random);
+  decide_given_others(history, window, with(first, middle), middle, end, depth + 1, random);
 }
 
 // Targets that have left the field keep their beams in the scans before, and are not reported.

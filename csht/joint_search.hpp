@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -57,6 +58,8 @@ class JointSearch {
   void weigh_candidates(const ScanHistory& history, int window, core::Random& random);
   void choose(const ScanHistory& history, int window, core::Random& random);
   void estimate_again(const ScanHistory& history, int window, const ClaimSet& known, core::Random& random);
+  void decide_given_others(const ScanHistory& history, int window, const ClaimSet& others, std::size_t first,
+                           std::size_t end, std::size_t depth, core::Random& random);
   void forget_worst();
   std::span<const TargetHypothesis> those_in_view(const ScanTable& newest);
 
@@ -68,6 +71,7 @@ class JointSearch {
   std::span<const Seed> seeds_found_;
   std::vector<TargetHypothesis> candidates_, fresh_, targets_, previous_;
   ClaimSet claims_;
+  std::deque<ClaimSet> others_;  ///< One a depth of `decide_given_others`; references stay valid as it grows.
   std::int64_t utime_ = 0;
 };
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/csht/joint_scenes.hpp"
 
 namespace lookout::csht {
@@ -42,6 +44,23 @@ TEST(JointSearch, FindsAllTargets) {
   const auto found = search(testing::noisy_scans(kCourses, 20, 9, 1005));
   ASSERT_EQ(found.size(), 2u);
   EXPECT_GT(found[0].existence(), 0.99);
+}
+
+// More than two go through the halves of the last decision; each keeps its own beams.
+TEST(JointSearch, FindsFiveTargetsEachGivenTheOthers) {
+  const std::vector<Course> five{{{80, 10}, {-1, 2}},
+                                 {{60, -30}, {2, 1}},
+                                 {{100, 50}, {0, -1}},
+                                 {{40, 20}, {1, 1}},
+                                 {{120, -40}, {-1, 0}}};
+  const auto found = search(testing::noisy_scans(five, 20, 9, 1005));
+  ASSERT_EQ(found.size(), 5u);
+  for (const Course& course : five) {
+    const bool there = std::any_of(found.begin(), found.end(), [&](const TargetHypothesis& target) {
+      return (target.mean.head<2>() - course.at(9.5)).norm() < 6.0;  // two sigmas
+    });
+    EXPECT_TRUE(there) << course.position.transpose();
+  }
 }
 
 // As a birth method: what a track explains is not found again.
