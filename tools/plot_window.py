@@ -117,6 +117,41 @@ def plot_one_window(directory):
     save(figure, directory / "window.png")
 
 
+def draw_trajectories(axis, rows, colour, seconds):
+    """Each trajectory over its last `seconds`, the heavier the darker; the weights are in nats."""
+    heaviest = max((float(row["weight"]) for row in rows), default=1.0)
+    for row in rows:
+        north, east = float(row["north_m"]), float(row["east_m"])
+        back = (east - seconds * float(row["east_velocity_mps"]), north - seconds * float(row["north_velocity_mps"]))
+        darkness = min(1.0, max(0.15, float(row["weight"]) / max(heaviest, 1.0)))
+        axis.plot(*zip(back, (east, north)), color=colour, alpha=darkness, linewidth=1.2)
+        axis.plot(east, north, ".", color=colour, alpha=darkness, markersize=4)
+
+
+def plot_joint_window(directory):
+    """One literal window of the joint estimator: pairs of echoes, clusters, and the elements that it reports."""
+    echoes, truth = rows_of(directory / "joint_echoes.csv"), rows_of(directory / "joint_truth.csv")
+    times = [float(row["time_s"]) for row in echoes]
+    seconds = max(times) - min(times)
+    figure, axes = plt.subplots(1, 2, sharex=True, sharey=True, figsize=(12, 6))
+    for axis in axes:
+        axis.scatter([float(r["east_m"]) for r in echoes], [float(r["north_m"]) for r in echoes], s=4, c=times,
+                     cmap="Greys", vmin=min(times) - seconds)
+        for path in paths_by_id(truth).values():
+            axis.plot(*zip(*path), color="tab:green", linewidth=7, alpha=0.3, solid_capstyle="round", zorder=0)
+        axis.set_xlabel("east [m]")
+        axis.set_aspect("equal")
+    draw_trajectories(axes[0], rows_of(directory / "joint_seeds.csv"), "tab:blue", seconds)
+    draw_trajectories(axes[1], rows_of(directory / "joint_clusters.csv"), "tab:orange", seconds)
+    for row in rows_of(directory / "joint_elements.csv"):
+        axes[1].plot(float(row["east_m"]), float(row["north_m"]), "*", color="tab:red", markersize=13)
+    axes[0].set_title("seeds: pairs through echoes of the newest scan that nothing explains yet")
+    axes[1].set_title("clusters (darker: likelier), elements (stars)")
+    axes[0].set_ylabel("north [m]")
+    figure.suptitle("joint, one window of 20 scans, literal clutter, $P_F = P_M$ = 0.3 (green: targets; grey: echoes)")
+    save(figure, directory / "joint_window.png")
+
+
 def save(figure, path):
     figure.savefig(path, dpi=130, bbox_inches="tight")
     plt.close(figure)
@@ -131,6 +166,7 @@ def main():
         plot_over_misses(directory, cells, clutter)
         plot_over_sigma(directory, cells, clutter)
     plot_one_window(directory)
+    plot_joint_window(directory)
     plot_votes(directory)
 
 

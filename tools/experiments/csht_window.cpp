@@ -8,8 +8,8 @@
 #include "core/recording.hpp"
 #include "csht/csht_estimator.hpp"
 #include "csht/estimator_registry.hpp"
-#include "csht/scan_to_detections.hpp"
 #include "sonar_sim/scene.hpp"
+#include "tools/experiments/joint_window.hpp"
 #include "tools/experiments/least_squares_reference.hpp"
 #include "tools/experiments/paper_figures.hpp"
 #include "tools/experiments/sensor_knowledge.hpp"
@@ -206,18 +206,8 @@ Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
   return metrics;
 }
 
-void write_echoes(const std::vector<TimedScan>& scans, const std::string& path) {
-  core::CsvWriter csv(path, "time_s,north_m,east_m");
-  std::vector<core::Detection> detections;
-  for (const auto& timed : scans) {
-    csht::scan_to_detections(timed.posed, 0, detections);
-    for (const auto& echo : detections)
-      csv.number(core::seconds(echo.utime)).number(echo.p_earth.x()).number(echo.p_earth.y()).end_row();
-  }
-  csv.close();
-}
-
-/// The first window of the middle cell: echoes, truth, what each method makes of it, and the vote matrices.
+/// The first window of the middle cell: light clutter for the methods that vote (echoes, truth, what each
+/// makes of it, the vote matrices), literal clutter for the joint estimator.
 void CshtWindow::write_extras(std::uint64_t seed, const std::string& directory) const {
   const auto scene = load_variant(kScene, {0.3, 0.3, 3.0, sonar_sim::ClutterReading::light});
   const auto scans = simulate(scene, seed, 0);
@@ -238,6 +228,9 @@ void CshtWindow::write_extras(std::uint64_t seed, const std::string& directory) 
     core::write_elements(directory + "/window_" + method + ".csv",
                          {{scans.back().posed.scan.utime, answer.elements}});
   }
+  const auto literal = load_variant(kScene, {0.3, 0.3, 3.0, sonar_sim::ClutterReading::literal});
+  write_joint_window(simulate(literal, seed, 0), sonar_sim::known_params(literal, literal.platforms.front()),
+                     seed, directory);
 }
 
 }  // namespace
