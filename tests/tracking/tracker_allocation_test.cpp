@@ -30,7 +30,7 @@ class TrackerAllocation : public ::testing::TestWithParam<Case> {};
 
 TEST_P(TrackerAllocation, NothingPerScanOnceWarm) {
   constexpr int kWarm = 100, kCalm = 40, kCounted = 100;
-  constexpr int kFewFalse = 3;  // buffers follow the densest scans so far
+  constexpr int kFewFalse = 4;  // buffers follow the densest scans so far
   TrackerParams params;
   params.initiator = GetParam().initiator;
   const auto tracker = make_tracker(GetParam().tracker, params, {}, {}, 1);
