@@ -78,7 +78,8 @@ void Fusion::associate_node(std::span<const Contribution> tracklets) {
     states_.push_back(tracklet.current);
     before_.push_back(global_tracks_.past_of(*tracklet.track));
   }
-  const auto& indices = association_.associate(states_, global_tracks_.predicted(), before_);
+  const std::int32_t node_id = tracklets.empty() ? 0 : tracklets.front().track->newest().node_id;
+  const auto& indices = association_.associate(states_, global_tracks_.predicted_for(node_id), before_);
   global_tracks_.add_support(tracklets, indices);
 }
 

@@ -30,6 +30,8 @@ class Fusion {
   std::int64_t restarts() const { return restarts_; }  ///< How often the common clock began anew.
   /// The global track that a local one supports, by the newest association; -1: none.
   std::int64_t global_of(std::int32_t node_id, std::int64_t track_id) const;
+  /// The global tracks that the newest update found to be another: (ended, kept).
+  std::span<const std::pair<std::int64_t, std::int64_t>> merged() const { return global_tracks_.merged(); }
   const FusionMethod& method() const { return *method_; }
   const FusionClock& clock() const { return clock_; }
 

@@ -40,7 +40,9 @@ void GlobalTracks::predict(std::int64_t utime) {
     support.predicted = moved(support.previous, dt);
     support.is_new = false;
     voices_[g].clear();
-    for (const Contribution& voice : support.contributions) voices_[g].push_back(voice.track->key());
+    for (const Contribution& voice : support.contributions)
+      voices_[g].push_back(
+          {voice.track->key(), moved(voice.current, dt), pairings_.trusted_in(*voice.track) >= 0});
     support.contributions.clear();
     listeners_[g].clear();
     predicted_[g] = support.predicted;
@@ -63,17 +65,38 @@ void GlobalTracks::start(const Contribution& contribution) {
 
 void GlobalTracks::support(const Contribution& contribution, std::size_t index) {
   const LocalTrack& local = *contribution.track;
-  const bool must_prove = has_other_voice(index, local.newest().node_id);
-  if (pairings_.pair(local, tracks_[index].id, must_prove)) {
+  if (pairings_.pair(local, tracks_[index].id, company_of(index, local.newest().node_id))) {
     supports_[index].contributions.push_back(contribution);
   } else {
     listeners_[index].push_back(local.newest().node_id);
   }
 }
 
-bool GlobalTracks::has_other_voice(std::size_t index, std::int32_t node_id) const {
-  const auto is_other = [&](const LocalTrackStore::Key& voice) { return voice.first != node_id; };
-  return std::any_of(voices_[index].begin(), voices_[index].end(), is_other);
+Company GlobalTracks::company_of(std::size_t index, std::int32_t node_id) const {
+  const auto before = [&](const Voice& voice) { return voice.key.first != node_id; };
+  const auto now = [&](const Contribution& voice) { return voice.track->newest().node_id != node_id; };
+  const auto& contributions = supports_[index].contributions;
+  if (std::any_of(voices_[index].begin(), voices_[index].end(), before)) return Company::voices;
+  if (std::any_of(contributions.begin(), contributions.end(), now)) return Company::newcomers;
+  return Company::none;
+}
+
+std::span<const Eigen::Vector4d> GlobalTracks::predicted_for(std::int32_t node_id) {
+  predicted_for_ = predicted_;
+  for (std::size_t g = 0; g < voices_.size(); ++g) {
+    Eigen::Vector4d sum = Eigen::Vector4d::Zero();
+    int others = 0;
+    bool is_guest = false;
+    for (const Voice& voice : voices_[g]) {
+      const bool is_own = voice.key.first == node_id;
+      is_guest = is_guest || (is_own && !voice.trusted);
+      if (is_own) continue;
+      sum += voice.state;
+      ++others;
+    }
+    if (is_guest && others > 0) predicted_for_[g] = sum / others;
+  }
+  return predicted_for_;
 }
 
 int GlobalTracks::place_of(std::int64_t global_id) const {
@@ -88,10 +111,10 @@ int GlobalTracks::supported_by(const LocalTrackStore::Key& local) const {
 }
 
 PastSupport GlobalTracks::past_of(const LocalTrack& local) const {
-  const int place = place_of(pairings_.voted_for(local));
+  const int place = place_of(pairings_.trusted_in(local));
   if (place < 0) return {};
   const Voices& voices = voices_[static_cast<std::size_t>(place)];
-  return {place, voices == Voices{local.key()}};
+  return {place, voices.size() == 1 && voices.front().key == local.key()};
 }
 
 void GlobalTracks::forget_locals(const LocalTrackStore::Tracks& known) {
@@ -174,9 +197,12 @@ void GlobalTracks::merge_alike(const TrackAssociation& likeness) {
       const auto before = alike_.find(pair);
       alike[pair] = before == alike_.end() ? 1 : before->second + 1;
       if (alike[pair] < params_.merge_updates) continue;
-      dead[b] = true;  // The older keeps its number.
-      merged_.push_back({pair.second, pair.first});
-      pairings_.rename(pair.second, pair.first);
+      // The number that more nodes go by stays; the older where they are as many.
+      const bool keeps_older = nodes_of(a).size() >= nodes_of(b).size();
+      const auto [ended, kept] = keeps_older ? IdPair{pair.second, pair.first} : pair;
+      dead[keeps_older ? b : a] = true;
+      merged_.push_back({ended, kept});
+      pairings_.rename(ended, kept);
     }
   }
   alike_ = std::move(alike);

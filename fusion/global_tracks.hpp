@@ -37,17 +37,19 @@ class GlobalTracks {
   /// Carries every track to `utime`, without support. [Li2018] Eq. (16).
   void predict(std::int64_t utime);
 
-  /// The predicted states, newborn tracks last.
-  std::span<const Eigen::Vector4d> predicted() const { return predicted_; }
+  /// The predicted states as the tracklets of one node are held against them, newborn tracks last: where that
+  /// node has a vote but is not trusted yet, the mean of the other nodes' tracklets, so that its guess does
+  /// not confirm itself. Valid until the next call.
+  std::span<const Eigen::Vector4d> predicted_for(std::int32_t node_id);
 
-  /// Adds the contributions of one node, each to the track of its index in `predicted`; one with index -1
+  /// Adds the contributions of one node, each to the track of its index in `predicted_for`; one with index -1
   /// starts a track where it has been heard often enough.
   void add_support(std::span<const Contribution> contributions, std::span<const int> indices);
 
-  /// The place in `predicted` of the track that a local track goes with, or -1. It may be on probation.
+  /// The place in `predicted_for` of the track that a local track goes with, or -1. It may be on probation.
   int supported_by(const LocalTrackStore::Key& local) const;
 
-  /// What a local track has of its past: the track that it has a vote in, and whether it is alone there. A
+  /// What a local track has of its past: the track that it is trusted in, and whether it is alone there. A
   /// newcomer on probation has none, so that each message is judged anew.
   PastSupport past_of(const LocalTrack& local) const;
 
@@ -68,12 +70,18 @@ class GlobalTracks {
 
  private:
   using IdPair = std::pair<std::int64_t, std::int64_t>;
-  using Voices = std::vector<LocalTrackStore::Key>;
+  /// A local track that had a vote the last time.
+  struct Voice {
+    LocalTrackStore::Key key;
+    Eigen::Vector4d state;  ///< Carried to the time of the prediction.
+    bool trusted;
+  };
+  using Voices = std::vector<Voice>;
 
   void start(const Contribution& contribution);
   int place_of(std::int64_t global_id) const;
   void support(const Contribution& contribution, std::size_t index);
-  bool has_other_voice(std::size_t index, std::int32_t node_id) const;
+  Company company_of(std::size_t index, std::int32_t node_id) const;
   void update_status(std::size_t index);
   void merge_alike(const TrackAssociation& likeness);
   std::vector<std::int32_t> nodes_of(std::size_t index) const;
@@ -92,6 +100,7 @@ class GlobalTracks {
   std::vector<Voices> voices_;                        ///< Who had a vote the last time.
   std::vector<std::vector<std::int32_t>> listeners_;  ///< Nodes with a track on probation there.
 
+  std::vector<Eigen::Vector4d> predicted_for_;  ///< Of the node that asked last.
   std::vector<TrackGroup> groups_;
   Pairings pairings_;
   std::map<IdPair, int> alike_;  ///< For how many updates two tracks have looked like one.

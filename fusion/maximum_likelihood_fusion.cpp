@@ -62,7 +62,9 @@ MaximumLikelihoodFusion::Cross MaximumLikelihoodFusion::first_cross(const LocalT
                                                                     const LocalTrack& b) const {
   const std::int64_t first_of_a = a.back(a.size() - 1).utime, first_of_b = b.back(b.size() - 1).utime;
   Cross cross{Eigen::Matrix4d::Zero(), std::max(first_of_a, first_of_b)};
-  if (first_of_a != first_of_b) return cross;
+  // Filters whose start is no longer kept, or that began apart, count as independent there.
+  const bool starts_kept = a.heard() == a.size() && b.heard() == b.size();
+  if (!starts_kept || first_of_a != first_of_b) return cross;
   // Both filters start from one measured position and no velocity: the true velocity is their common error.
   const double variance = model_.velocity_sigma * model_.velocity_sigma;
   cross.covariance.bottomRightCorner<2, 2>().diagonal().setConstant(variance);

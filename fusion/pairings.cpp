@@ -2,13 +2,14 @@
 
 namespace lookout::fusion {
 
-bool Pairings::pair(const LocalTrack& local, std::int64_t global_id, bool must_prove) {
+bool Pairings::pair(const LocalTrack& local, std::int64_t global_id, Company company) {
   Pairing& pairing = pairings_[local.key()];
   const bool began_again = local.heard() < pairing.heard;
-  if (pairing.global_id != global_id || began_again) pairing = {global_id, local.heard(), 0, false};
+  if (pairing.global_id != global_id || began_again) pairing = {global_id, local.heard(), 0, false, false};
   pairing.heard = local.heard();
-  const std::size_t proved = pairing.heard - pairing.since + 1;
-  pairing.votes = pairing.votes || !must_prove || proved >= probation_;
+  const bool proved = pairing.heard - pairing.since + 1 >= probation_;
+  pairing.votes = pairing.votes || company != Company::voices || proved;
+  pairing.trusted = pairing.trusted || company == Company::none || proved;
   return pairing.votes;
 }
 
@@ -17,11 +18,11 @@ std::int64_t Pairings::global_of(const Key& local) const {
   return found == pairings_.end() ? -1 : found->second.global_id;
 }
 
-std::int64_t Pairings::voted_for(const LocalTrack& local) const {
+std::int64_t Pairings::trusted_in(const LocalTrack& local) const {
   const auto found = pairings_.find(local.key());
   if (found == pairings_.end()) return -1;
   const Pairing& pairing = found->second;
-  return pairing.votes && local.heard() >= pairing.heard ? pairing.global_id : -1;
+  return pairing.trusted && local.heard() >= pairing.heard ? pairing.global_id : -1;
 }
 
 void Pairings::rename(std::int64_t ended, std::int64_t kept) {

@@ -28,7 +28,7 @@ struct AssociationParams {
                                ///< keeps numbers where targets meet. Such a pair
                                ///< needs the gate alone, not the threshold; `one_to_one` only. Own choice.
   double alone_bonus = 1.0;    ///< The same where no other node spoke for the track, >= 0: it is that
-                             ///< tracklet's own past, whatever comes near; `one_to_one` only. Own choice.
+                               ///< tracklet's own past, whatever comes near; `one_to_one` only. Own choice.
   double standing_share = 0.05;  ///< Below this share of speed_scale a target stands, >= 0. t2gt 2 (c).
 };
 

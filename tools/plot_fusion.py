@@ -3,11 +3,13 @@
 
 Reads results.json and rmse_over_time.csv in DIR; writes, for each azimuth noise and fault, rmse_NOISE_FAULT.png
 (position RMSE of each target over time, by method, in the manner of Figures 2 to 4 of Li, Fan, Yuan, Li), and
-comparison.md (every figure beside the one of the prototype in tools/data/t2gt_reference.csv, and their ratio).
+comparison.md (every figure with its standard error beside the one of the prototype in
+tools/data/t2gt_reference.csv, their ratio, and how many of them agree).
 """
 import collections
 import csv
 import json
+import math
 import pathlib
 import sys
 
@@ -20,6 +22,8 @@ REFERENCE = pathlib.Path(__file__).parent / "data" / "t2gt_reference.csv"
 COLUMNS = [("0.05deg", "none"), ("0.5deg", "none"), ("0.05rad", "none"), ("0.05deg", "worse"), ("0.05deg", "bias")]
 DRAWN = ["single_1", "mean", "dw_a", "sdf_any", "sdf_fixed", "ci", "learned", "ml", "central"]
 FAULTY_RADAR = 3
+TOLERANCE = 0.05  # t2gt 9: "the table above within 5 %"
+NORMAL_95 = 1.96  # half width of a 95 % interval in standard errors
 
 
 def read_curves(path):
@@ -51,10 +55,12 @@ def draw(noise, fault, curves, path):
 
 
 def measured(results):
-    """(method, support, origin, noise, fault) -> rmse; single radars pooled into their mean and the faulty one."""
+    """(method, support, origin, noise, fault) -> (rmse, its standard error); single radars pooled into their
+    mean and the faulty one."""
     found, singles = {}, collections.defaultdict(list)
     for cell in results["cells"]:
-        parameters, rmse = cell["parameters"], cell["metrics"]["rmse"]["mean"]
+        parameters, metric = cell["parameters"], cell["metrics"]["rmse"]
+        rmse = (metric["mean"], (metric["ci95"] or 0.0) / NORMAL_95)
         if parameters["targets"] != 4 or "association" in parameters or "unit" in parameters:
             continue
         column = (parameters["azimuth_noise"], parameters["fault"])
@@ -66,7 +72,8 @@ def measured(results):
         else:
             found[(cell["method"], parameters.get("support", ""), parameters.get("origin", "")) + column] = rmse
     for column, values in singles.items():
-        found[("single", "", "") + column] = sum(values) / len(values)
+        found[("single", "", "") + column] = (sum(mean for mean, _ in values) / len(values),
+                                              math.hypot(*(error for _, error in values)) / len(values))
     return found
 
 
@@ -76,21 +83,43 @@ def write_comparison(results, path):
                      for row in csv.DictReader(file)}
     found = measured(results)
     rows = list(dict.fromkeys(key[:3] for key in list(reference) + list(found)))
-    worst = 0.0
-    lines = [f"Position RMSE [m] of the four targets, {results['runs']} runs, seed {results['seed']}: ours (prototype's) ratio.",
+    worst, within, with_error, compared = 0.0, 0, 0, 0
+    lines = [f"Position RMSE [m] of the four targets, {results['runs']} runs, seed {results['seed']}: ours ± its standard "
+             "error (prototype's) ratio.",
              "", "| method | " + " | ".join(" ".join(c) for c in COLUMNS) + " |", "|" + " --- |" * (len(COLUMNS) + 1)]
     for row in rows:
         texts = []
         for column in COLUMNS:
             ours, theirs = found.get(row + column), reference.get(row + column)
-            text = "" if ours is None else f"{ours:.1f}"
+            text = "" if ours is None else f"{ours[0]:.1f} ± {ours[1]:.2f}"
             if ours is not None and theirs is not None:
-                text += f" ({theirs:g}) {ours / theirs:.3f}"
-                worst = max(worst, abs(ours / theirs - 1.0))
+                text += f" ({theirs:g}) {ours[0] / theirs:.3f}"
+                off = abs(ours[0] - theirs)
+                worst = max(worst, off / theirs)
+                within += off <= TOLERANCE * theirs
+                with_error += off <= TOLERANCE * theirs + 2.0 * ours[1]
+                compared += 1
             texts.append(text)
         lines.append("| " + " ".join(filter(None, row)) + " | " + " | ".join(texts) + " |")
-    lines += ["", f"Largest deviation: {100 * worst:.1f} %."]
+    lines += ["", f"Largest deviation: {100 * worst:.1f} %. Within {100 * TOLERANCE:.0f} %: {within} of {compared}; within "
+              f"{100 * TOLERANCE:.0f} % + 2 standard errors: {with_error} of {compared}.", ""] + order_lines(found, reference)
     path.write_text("\n".join(lines) + "\n")
+
+
+def order_lines(found, reference):
+    """Names the pairs of methods of one column that the reference tells apart by more than the tolerance, ours not."""
+    reversed_pairs, told_apart = [], 0
+    for column in COLUMNS:
+        names = [key for key in reference if key[3:] == column and key in found]
+        for better in names:
+            for worse in names:
+                if reference[better] * (1.0 + TOLERANCE) >= reference[worse]:
+                    continue
+                told_apart += 1
+                if found[better][0] >= found[worse][0]:
+                    reversed_pairs.append(" ".join(filter(None, better)) + " / " + " ".join(filter(None, worse[:3])))
+    return [f"Order: of {told_apart} pairs of methods that the prototype's figures hold apart by more than "
+            f"{100 * TOLERANCE:.0f} %, {len(reversed_pairs)} are reversed" + "".join(f"; {pair}" for pair in reversed_pairs) + "."]
 
 
 def main():

@@ -5,11 +5,13 @@
 #include <limits>
 
 #include "core/frames.hpp"
+#include "tests/fusion/two_nodes.hpp"
 
 namespace lookout::fusion {
 namespace {
 
 using core::microseconds;
+using testing::TwoNodes;
 
 constexpr double kHour = 3600.0;
 
@@ -60,6 +62,55 @@ TEST(FusionClock, ARestartOfAllBeginsAnew) {
   EXPECT_TRUE(reading.restarted);
   EXPECT_EQ(reading.utime, microseconds(1.0));
   EXPECT_EQ(clock.now(), microseconds(1.0));
+}
+
+TEST_F(TwoNodes, ANodeIsLateByThreeSeconds) {
+  for (double time = 0.0; time <= 15.0; time += 0.5) {
+    for (int id : {1, 2}) {
+      send(1, id, time);
+      if (time >= 3.0) send(2, id, time - 3.0);  // Its honest stamps are three seconds old on arrival.
+    }
+    update(time);
+  }
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_NEAR(error(0, 1, 15.0), 0.0, 1e-6);  // Carried forward at its own velocity.
+}
+
+TEST_F(TwoNodes, ClocksAnHourApart) {
+  for (double time = 0.0; time <= 10.0; time += 0.5) {
+    for (int id : {1, 2}) {
+      send(1, id, time);
+      send(2, id, time, time + 3600.0, id);
+    }
+    update(time);
+  }
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_NEAR(error(0, 1, 10.0), 0.0, 1e-6);
+  EXPECT_NEAR(tracks[0].existence, 0.99, 1e-9);  // Both nodes count.
+  EXPECT_EQ(fusion.newest(), microseconds(10.0));
+}
+
+TEST_F(TwoNodes, ClocksHalfASecondApartCostHalfASecondOfWay) {
+  for (double time = 0.0; time <= 10.0; time += 0.5) {
+    for (int id : {1, 2}) {
+      send(1, id, time);
+      send(2, id, time, time + 0.5, id);
+    }
+    update(time + 0.5);
+  }
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].id, 1);
+  EXPECT_LT(error(0, 1, 10.5), 0.5 * 2.0 + 1e-6);  // Speed times the difference of the clocks.
+}
+
+TEST_F(TwoNodes, ARestartOfEverythingBeginsANewPicture) {
+  run(100.0, 105.0);
+  run(0.0, 1.5);  // Refused until the new clock has been heard three times.
+  EXPECT_EQ(fusion.restarts(), 1);
+  run(2.0, 6.0);
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_GE(tracks[0].id, 3);
+  EXPECT_NEAR(error(0, 1, 6.0), 0.0, 1e-6);
 }
 
 }  // namespace

@@ -5,9 +5,14 @@
 #include <deque>
 
 #include "tests/fusion/test_nodes.hpp"
+#include "tests/fusion/two_nodes.hpp"
 
 namespace lookout::fusion {
 namespace {
+
+using testing::estimate;
+using testing::target;
+using testing::TwoNodes;
 
 constexpr int kNone = -1;
 
@@ -42,7 +47,7 @@ TEST_F(GlobalTracksTest, CarriesTracksAndStartsOneForAnUnassociatedTracklet) {
   update(1.0, {{1, {0, 0}, kNone}});
   ASSERT_EQ(globals.tracks().size(), 1u);
   globals.predict(core::microseconds(3.0));
-  EXPECT_EQ(globals.predicted()[0], Eigen::Vector4d(2, 0, 1, 0));  // Two seconds at 1 m/s, Eq. (16).
+  EXPECT_EQ(globals.predicted_for(1)[0], Eigen::Vector4d(2, 0, 1, 0));  // Two seconds at 1 m/s, Eq. (16).
 }
 
 TEST_F(GlobalTracksTest, ANewcomerHasNoVoteWhereAnotherNodeSpeaks) {
@@ -86,6 +91,25 @@ TEST_F(GlobalTracksTest, TwoTracksOfTwoNodesBecomeOneAfterThreeUpdatesAndTheOlde
   EXPECT_EQ(globals.supported_by({2, 1}), 0);
 }
 
+TEST_F(GlobalTracksTest, OfTwoTracksThatBecomeOneTheNumberThatMoreNodesGoByStays) {
+  update(1.0, {{1, {0, 0}, kNone}, {2, {0, 0.5}, kNone}, {3, {0, 0.5}, 1}});
+  for (double time : {2.0, 3.0})
+    update(time, {{1, {time - 1, 0}, 0}, {2, {time - 1, 0.5}, 1}, {3, {time - 1, 0.5}, 1}});
+  ASSERT_EQ(globals.tracks().size(), 1u);
+  EXPECT_EQ(globals.tracks()[0].id, 2);
+  EXPECT_EQ(globals.merged()[0], (std::pair<std::int64_t, std::int64_t>{1, 2}));
+  EXPECT_EQ(globals.supported_by({1, 1}), 0);
+}
+
+TEST_F(GlobalTracksTest, AGuestIsHeldAgainstTheOthersAlone) {
+  update(1.0, {{1, {0, 0}, kNone}, {2, {4, 0}, 0}, {3, {8, 0}, 0}});    // 2 and 3 vote, not trusted yet.
+  globals.predict(core::microseconds(2.0));                             // All move on by a metre.
+  EXPECT_EQ(globals.predicted_for(1)[0], Eigen::Vector4d(1, 0, 1, 0));  // Fused: the first supporter's.
+  EXPECT_EQ(globals.predicted_for(2)[0], Eigen::Vector4d(5, 0, 1, 0));  // Mean of nodes 1 and 3.
+  EXPECT_EQ(globals.predicted_for(3)[0], Eigen::Vector4d(3, 0, 1, 0));  // Mean of nodes 1 and 2.
+  EXPECT_EQ(globals.past_of(locals.back()).place, -1);
+}
+
 TEST_F(GlobalTracksTest, ACoastingTrackEndsAfterAsLongAsItLivedAndItsNumberIsNotUsedAgain) {
   update(1.0, {{1, {0, 0}, kNone}});
   update(3.0, {{1, {2, 0}, 0}});
@@ -101,6 +125,32 @@ TEST(GlobalTracks, RefusesBadParameters) {
   GlobalTracksParams params;
   params.probation = 0;
   EXPECT_THROW(GlobalTracks{params}, std::invalid_argument);
+}
+
+TEST_F(TwoNodes, AllFallSilentCoastEndAndKeepTheirNumbersApart) {
+  run(0.0, 20.0);
+  update(24.0);
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].status, core::TrackStatus::coasting);
+  EXPECT_NEAR(error(0, 1, 24.0), 0.0, 1e-6);
+  update(31.0);
+  EXPECT_TRUE(tracks.empty());
+  run(32.0, 36.0);
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].id, 3);  // A number is never used again.
+}
+
+TEST_F(TwoNodes, TwoTracksOfOneTargetBecomeOneAndTheOlderNumberStays) {
+  for (double time = 0.0; time <= 4.0; time += 0.5) {  // Node 2 begins 40 m off and comes near.
+    send(1, 1, time);
+    LocalEstimate apart = estimate(2, 1, time, target(1, time));
+    apart.state(1) += 40.0 - 10.0 * time;
+    fusion.add(apart);
+    update(time);
+  }
+  run(4.5, 8.0);
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[0].id, 1);
 }
 
 }  // namespace

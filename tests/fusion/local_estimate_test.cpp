@@ -1,4 +1,5 @@
 #include "fusion/local_estimate.hpp"
+#include "tests/fusion/two_nodes.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,6 +7,10 @@
 
 namespace lookout::fusion {
 namespace {
+
+using testing::estimate;
+using testing::target;
+using testing::TwoNodes;
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -43,6 +48,15 @@ TEST(LocalEstimate, RefusesAMatrixThatIsNoCovariance) {
   EXPECT_FALSE(is_plausible(estimate, {}));
   (*estimate.covariance)(0, 1) = kNan;
   EXPECT_FALSE(is_plausible(estimate, {}));
+}
+
+TEST_F(TwoNodes, NanIsRefusedAndChangesNothing) {
+  run(0.0, 5.0);
+  LocalEstimate bad = estimate(1, 1, 5.5, target(1, 5.5));
+  bad.state(0) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(fusion.add(bad), Intake::implausible);
+  run(5.5, 6.0);
+  EXPECT_NEAR(error(0, 1, 6.0), 0.0, 1e-6);
 }
 
 }  // namespace

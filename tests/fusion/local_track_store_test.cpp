@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "tests/fusion/test_nodes.hpp"
+#include "tests/fusion/two_nodes.hpp"
 
 namespace lookout::fusion {
 namespace {
 
+using core::microseconds;
 using testing::estimate;
+using testing::target;
+using testing::TwoNodes;
 
 const Eigen::Vector4d kState(1, 2, 3, 4);
 
@@ -84,6 +88,28 @@ TEST(LocalTrackStore, RefusesBadParameters) {
   LocalTrackStoreParams params;
   params.silent_rounds = 1.0;
   EXPECT_THROW(LocalTrackStore{params}, std::invalid_argument);
+}
+
+TEST_F(TwoNodes, DuplicatesAndStragglersChangeNothing) {
+  Fusion clean{FusionParams{}};
+  for (double time = 0.0; time <= 5.0; time += 0.5) {
+    for (std::int32_t node : {1, 2}) {
+      for (int id : {1, 2}) {
+        LocalEstimate message = estimate(node, id, time, target(id, time));
+        message.p_earth_node = {-50.0, node * 40.0};
+        clean.add(message);
+        send(node, id, time);
+        send(node, id, time);                         // A duplicate ...
+        if (time >= 1.0) send(node, id, time - 1.0);  // ... and an older one, out of order.
+      }
+    }
+    update(time);
+    const auto expected = clean.update(microseconds(time));
+    ASSERT_EQ(expected.size(), tracks.size());
+    for (std::size_t i = 0; i < tracks.size(); ++i) EXPECT_EQ(tracks[i].state, expected[i].state);
+  }
+  EXPECT_EQ(fusion.count(Intake::duplicate), 11 * 4);
+  EXPECT_EQ(fusion.count(Intake::out_of_order), 9 * 4);
 }
 
 }  // namespace

@@ -77,6 +77,14 @@ std::vector<std::int64_t> identities(std::span<const core::Track> tracks,
   return ids;
 }
 
+/// A target whose track was found to be another one goes on as that one.
+void follow_mergers(const fusion::Fusion& fusion, std::vector<std::int64_t>& ids) {
+  for (const auto& [ended, kept] : fusion.merged()) {
+    if (std::find(ids.begin(), ids.end(), kept) == ids.end())
+      std::replace(ids.begin(), ids.end(), ended, kept);
+  }
+}
+
 double squared_error(std::span<const core::Track> tracks, std::int64_t id, const Eigen::Vector2d& truth) {
   for (const core::Track& track : tracks) {
     if (track.id == id) return (track.position() - truth).squaredNorm();
@@ -102,6 +110,7 @@ Errors errors_of_run(const Cell& cell, std::uint64_t seed, int run) {
     }
     const auto tracks = fusion.update(core::microseconds(scan * kRadarScanPeriod));
     if (scan == kBirthScan) ids = identities(tracks, heard.truth);
+    follow_mergers(fusion, ids);
     for (std::size_t i = 0; i < ids.size(); ++i)
       errors[i][static_cast<std::size_t>(scan)] = squared_error(tracks, ids[i], heard.truth[i].head<2>());
     ++scan;
