@@ -18,10 +18,23 @@ std::string default_estimator(const std::string& tracker) {
 }
 constexpr const char* kImageEstimator = "h_pmht";
 
-void read_configuration(const core::YamlMap& map, Configuration& configuration) {
+/// @param chosen_tracker by a flag; empty: by the file.
+void read_tracker(const core::YamlMap& map, const std::string& chosen_tracker,
+                  tracking::TrackerParams& params) {
+  tracking::read_tracker_params(map, params);
+  const std::string& tracker = chosen_tracker.empty() ? params.name : chosen_tracker;
+  const auto trackers = tracking::tracker_names();
+  if (params.initiator != tracker &&
+      std::find(trackers.begin(), trackers.end(), params.initiator) != trackers.end())
+    map.fail("initiator", "`" + params.initiator + "` is the birth method of the tracker `" +
+                              params.initiator + "` alone, not of `" + tracker + "`");
+}
+
+void read_configuration(const core::YamlMap& map, const std::string& chosen_tracker,
+                        Configuration& configuration) {
   if (const auto part = map.map("sensor")) core::read_sonar_params(*part, configuration.sensor);
   if (const auto part = map.map("estimator")) csht::read_estimator_params(*part, configuration.estimator);
-  if (const auto part = map.map("tracker")) tracking::read_tracker_params(*part, configuration.tracker);
+  if (const auto part = map.map("tracker")) read_tracker(*part, chosen_tracker, configuration.tracker);
   if (const auto part = map.map("initiator")) tracking::read_initiator_config(*part, configuration.initiator);
   if (const auto part = map.map("output")) tracking::read_output_params(*part, configuration.tracker);
   if (const auto part = map.map("tbd")) tracking::read_tbd_params(*part, configuration.tbd);
@@ -54,7 +67,8 @@ Configuration load_configuration(const Options& options) {
   Configuration configuration;
   configuration.tracker.name = kDefaultTracker;
   configuration.estimator.name.clear();  // not chosen yet
-  if (!options.config.empty()) read_configuration(core::YamlMap::load_file(options.config), configuration);
+  if (!options.config.empty())
+    read_configuration(core::YamlMap::load_file(options.config), options.tracker, configuration);
   std::vector<std::string> estimators = csht::estimator_names();
   estimators.emplace_back(kImageEstimator);
   apply_name("--estimator", options.estimator, estimators, configuration.estimator.name);
@@ -64,12 +78,6 @@ Configuration load_configuration(const Options& options) {
   if (configuration.estimator.name.empty())
     configuration.estimator.name = default_estimator(configuration.tracker.name);
   configuration.tracker.births = configuration.initiator;
-  const std::string& births = configuration.tracker.initiator;
-  const auto trackers = tracking::tracker_names();
-  if (births != configuration.tracker.name &&
-      std::find(trackers.begin(), trackers.end(), births) != trackers.end())
-    throw core::InputError("initiator `" + births + "` is the birth method of the tracker `" + births +
-                           "` alone, not of `" + configuration.tracker.name + "`");
   return configuration;
 }
 

@@ -94,6 +94,10 @@ TEST(RunCommand, BadScenesAndConfigurationsAreStatusTwo) {
       run_lookout("run " + kScenarios + "crossing.yaml --config " + config + " --out " + folder.file("o"));
   EXPECT_EQ(result.status, 2);
   EXPECT_NE(result.err.find("config.yaml:1:11: unknown key `coast`"), std::string::npos) << result.err;
+  const auto joint = folder.write("joint.yaml", "tracker: {name: csht, initiator: joint}\n");
+  const auto births = run_lookout("track --config " + joint);
+  EXPECT_EQ(births.status, 2);
+  EXPECT_NE(births.err.find("joint.yaml:1:34: initiator: "), std::string::npos) << births.err;
 }
 
 TEST(OspaCommand, AveragesOverAllTimesOfEitherFile) {

@@ -79,8 +79,17 @@ TEST(Configuration, MistakesNameThePlaceAndWhatIsAccepted) {
 TEST(Configuration, ATrackersOwnBirthMethodServesNoOther) {
   const tests::TemporaryDirectory folder;
   const auto file = folder.write("c.yaml", "tracker: {name: csht, initiator: joint}\n");
-  EXPECT_NE(error_of(with_config(file)).find("initiator `joint` is the birth method of the tracker `joint`"),
-            std::string::npos);
+  const std::string place =
+      "c.yaml:1:34: initiator: `joint` is the birth method of the tracker `joint` alone";
+  EXPECT_NE(error_of(with_config(file)).find(place), std::string::npos) << error_of(with_config(file));
+  // The flag wins over the file's tracker, for better and worse.
+  Options options = with_config(file);
+  options.tracker = "joint";
+  EXPECT_EQ(load_configuration(options).tracker.initiator, "joint");
+  options = with_config(folder.write("d.yaml", "tracker: {initiator: joint}\n"));
+  options.tracker = "gnn";
+  EXPECT_NE(error_of(options).find("d.yaml:1:22: initiator: `joint`"), std::string::npos)
+      << error_of(options);
 }
 
 }  // namespace

@@ -6,12 +6,13 @@
 #include "tools/experiments/agfht_experiments.hpp"
 #include "tools/experiments/csht_tracking.hpp"
 #include "tools/experiments/csht_window.hpp"
-#include "tools/experiments/limits.hpp"
 #include "tools/experiments/hpmht_sonar.hpp"
 #include "tools/experiments/hpmht_video.hpp"
+#include "tools/experiments/limits.hpp"
 #include "tools/experiments/manoeuvres.hpp"
 #include "tools/experiments/nht_experiments.hpp"
 #include "tools/experiments/recordings.hpp"
+#include "tools/experiments/sonar_births.hpp"
 #include "tools/experiments/t2gt.hpp"
 #include "tools/experiments/two_uuv.hpp"
 
@@ -28,6 +29,7 @@ const std::array kExperiments{
     ExperimentEntry{"nht-real", make_nht_real},
     ExperimentEntry{"agfht-table2", make_agfht_table2},
     ExperimentEntry{"agfht-sweep", make_agfht_sweep},
+    ExperimentEntry{"sonar-births", make_sonar_births},
     ExperimentEntry{"hpmht-video", make_hpmht_video},
     ExperimentEntry{"hpmht-sonar", make_hpmht_sonar},
     ExperimentEntry{"t2gt", make_t2gt},

@@ -25,6 +25,7 @@ ZengGridParams zeng_grid(const InitiatorConfig& config) {
   ZengGridParams grid;
   grid.half_range = config.sensor_range.value_or(grid.half_range);
   if (config.rho_step) grid.num_rho = static_cast<int>(std::ceil(2.0 * grid.half_range / *config.rho_step));
+  if (config.centred_rows) grid.num_rho |= 1;
   if (config.theta_step) grid.num_theta = static_cast<int>(std::ceil(std::numbers::pi / *config.theta_step));
   return grid;
 }
@@ -130,7 +131,8 @@ std::unique_ptr<Initiator> make_ag_fht(const InitiatorConfig& config) {
   AgFhtParams params;
   params.grid = zeng_grid(config);
   params.gates.speeds = speed_limits(config, kZengSpeeds);
-  params.gates.margin = config.range_sigma.value_or(params.gates.margin);
+  params.gates.margin = config.gate_margin.value_or(config.range_sigma.value_or(params.gates.margin));
+  params.gates.limit_turns(config.max_turn);
   params.gates.motion.acceleration_sigma = config.acceleration_sigma.value_or(1.0);
   params.min_plots = config.min_plots.value_or(params.min_plots);
   params.window_scans = config.window_scans.value_or(params.window_scans);

@@ -67,8 +67,8 @@ class AgFhtInitiator : public Initiator {
   StartedTracks started_;
 };
 
-/// Keys: `min_speed`, `max_speed`, `range_sigma` (the gates' margin), `acceleration_sigma`, `min_plots`,
-/// `window_scans`, `sensor_range`, `rho_step`, `theta_step_deg`. Variants: `text` (default), and
+/// Keys: `min_speed`, `max_speed`, `gate_margin` (else `range_sigma`), `max_turn_deg`, `acceleration_sigma`,
+/// `min_plots`, `window_scans`, `sensor_range`, `rho_step`, `theta_step_deg`. Variants: `text` (default), and
 /// `unstated_knowledge`, which adds what the authors' program knows of its targets and the paper does not
 /// state: heading within 90 degrees of the first axis, velocity (500, 0) m/s, lonely roots dropped, noise
 /// diag(1e4, 1e4).

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +17,11 @@ void GateLogicParams::validate() const {
     throw std::invalid_argument("turn_rate must be > 0, got " + std::to_string(turn_rate));
   if (max_misses < 0)
     throw std::invalid_argument("max_misses must be >= 0, got " + std::to_string(max_misses));
+}
+
+void GateLogicParams::limit_turns(std::optional<double> angle) {
+  max_turn = angle;
+  fan_gate = fan_gate && angle.value_or(0.0) < 0.5 * std::numbers::pi;
 }
 
 GateLogic::GateLogic(const GateLogicParams& params) : params_(params) {
@@ -72,6 +78,10 @@ GateLogic::Choice GateLogic::choose(const PlotWindow& window, int scan, const Ga
   return elliptical_choice(window, scan, track);
 }
 
+double GateLogic::turn_over(double seconds) const {
+  return params_.max_turn.value_or(params_.turn_rate * seconds);
+}
+
 bool GateLogic::on_course(const Eigen::Vector2d& displacement) const {
   return !params_.known_course || displacement.dot(*params_.known_course) >= 0.0;
 }
@@ -103,7 +113,7 @@ GateLogic::Choice GateLogic::fan_choice(const PlotWindow& window, int scan, cons
   Choice choice;
   index_.near(from, expected.norm() + 0.5 * depth, [&](int i) {
     const Eigen::Vector2d reached = window.plot(i).position - from;
-    if (in_fan(reached, expected, depth, params_.turn_rate * seconds) && on_course(reached))
+    if (in_fan(reached, expected, depth, turn_over(seconds)) && on_course(reached))
       offer(i, (reached - expected).norm(), choice);
   });
   return choice;
@@ -113,7 +123,7 @@ GateLogic::Choice GateLogic::fan_choice(const PlotWindow& window, int scan, cons
 GateLogic::Choice GateLogic::elliptical_choice(const PlotWindow& window, int scan, const GateTrack& track) {
   const Plot& last = window.plot(track.newest());
   const Eigen::Vector2d leg = last.position - window.plot(track.plots[track.num_plots - 2]).position;
-  const double turn = params_.turn_rate * (window.time(scan) - last.time) / (track.misses + 1);
+  const double turn = turn_over((window.time(scan) - last.time) / (track.misses + 1));
   const TrackFit ahead = predicted(track.fit, window.time(scan), params_.motion);
   const Eigen::Matrix2d expected = ahead.track.covariance.topLeftCorner<2, 2>();
   // The trace bounds the largest eigenvalue; the plot's own noise is about that of the newest.

@@ -17,6 +17,7 @@ struct GateLogicParams {
   bool fan_gate = true;  ///< Temporary tracks in their next scan meet a fan gate, Eq. (2); else the ellipse.
   double max_acceleration = 150.0;  ///< a_max - a_min of the fan gate [m/s^2], >= 0.
   double turn_rate = 0.104719755;   ///< Fastest turn [rad/s], > 0: 6 degrees.
+  std::optional<double> max_turn;   ///< Largest angle between two steps [rad]; absent: by `turn_rate`.
   double gate = 24.0;               ///< gamma of the elliptical gate, > 0. Eq. (6).
   bool filtered = true;             ///< Predict by the Kalman filter of all plots; else from the last two.
   MotionModelParams motion{1.0};    ///< Of the predictor. Section 3.1.
@@ -30,6 +31,9 @@ struct GateLogicParams {
   bool drop_lonely_roots = false;        ///< Roots unmatched in the second scan, and new ones, are dropped.
   std::optional<Eigen::Matrix2d> noise;  ///< In place of the plots' own [m^2].
 
+  /// Takes the largest angle between two steps, where there is one. Beyond a right angle a step has no
+  /// direction that a fan could open around: the ellipse takes its place.
+  void limit_turns(std::optional<double> angle);
   /// @throws std::invalid_argument naming the value out of range.
   void validate() const;
 };
@@ -74,6 +78,7 @@ class GateLogic {
   Choice circular_choice(const PlotWindow& window, int scan, const GateTrack& track);
   Choice fan_choice(const PlotWindow& window, int scan, const GateTrack& track);
   Choice elliptical_choice(const PlotWindow& window, int scan, const GateTrack& track);
+  double turn_over(double seconds) const;
   bool on_course(const Eigen::Vector2d& displacement) const;
   Plot known(const Plot& plot) const;
   void extend(const PlotWindow& window, int plot, GateTrack& track);

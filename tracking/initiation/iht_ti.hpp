@@ -10,8 +10,8 @@
 namespace lookout::tracking {
 
 /// MHT-TI whose pairs must respect the speed limits, 100 to 400 m/s by default [Fan2018] section V. The
-/// original is not accessible; [Fan2018] describes it only by this. Keys: `min_speed`, `max_speed` and those
-/// of LineVotingParams. No variants.
+/// original is not accessible; [Fan2018] describes it only by this. Keys: `min_speed`, `max_speed`,
+/// `gate_margin` and those of LineVotingParams. No variants.
 std::unique_ptr<Initiator> make_iht_ti(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "tracking/association/gating.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
+#include "tracking/initiation/local_initiator.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -16,6 +18,14 @@ constexpr double kShareOfPlots = 0.6;          // K of N where P_M is not known.
 constexpr double kFalseTracksPerScan = 0.003;  // At two scans a second, one in about three minutes.
 constexpr double kAccelerationSigma = 0.1;     // [m/s^2], as the trackers'.
 constexpr int kLongestWindow = 20;             // Scans: [Yan2018] section V.A.
+constexpr double kMarginSigmas = 3.0;          // Of the difference of two plots, inside every gate.
+constexpr double kCellSigmas = 2.0;            // Height of a cell: 750 m for 366 m in [Zeng2023].
+constexpr double kCellsPerTolerance = 4.0;     // 20 m and 5 m, .004 and .001 rad in [Fan2018].
+
+/// Whether a method judges by errors and speeds as they are, and needs no other view of a sonar's scans.
+bool suits_any_sensor(const std::string& initiator) {
+  return initiator == "vct";
+}
 
 /// K of N such that a target in view is missed in few windows.
 int plots_needed(const core::SonarParams& sonar, int window_scans) {
@@ -23,33 +33,78 @@ int plots_needed(const core::SonarParams& sonar, int window_scans) {
   return std::clamp(static_cast<int>(std::floor(0.8 * detected * window_scans)), 3, window_scans);
 }
 
-/// The window of the published methods is their own; VCT and NHT+ take what a velocity needs.
-int window_for(const core::SonarParams& sonar, const std::string& initiator) {
-  if (initiator == "modified_ht") return 3;
+/// Scans that a velocity needs.
+int velocity_scans(const core::SonarParams& sonar) {
   const int scans = static_cast<int>(std::lround(kVelocityTime / sonar.scan_period));
   return std::clamp(scans, 4, kLongestWindow);
+}
+
+/// Error of the difference of two plots [m].
+double step_sigma(const core::SonarParams& sonar) {
+  return std::numbers::sqrt2 * sonar.range_sigma;
+}
+
+/// Scans from one that a method is shown to the next: a radar's target moves by more than the errors in
+/// between, and so does the fastest target of a sonar.
+int stride_for(const core::SonarParams& sonar, int window_scans) {
+  const double scans = std::ceil(step_sigma(sonar) / (sonar.max_speed * sonar.scan_period));
+  return static_cast<int>(
+      std::clamp(scans, 1.0, std::max(1.0, std::floor((kLongestWindow - 1.0) / (window_scans - 1)))));
+}
+
+/// Cells and tolerances in proportion to the errors, as those of the papers are to theirs.
+void scale_cells(const core::SonarParams& sonar, double step_seconds, InitiatorConfig& config) {
+  const double sigma = sonar.range_sigma;
+  config.rho_step = config.rho_step.value_or(kCellSigmas * sigma);
+  config.rho_tolerance = config.rho_tolerance.value_or(kCellsPerTolerance * *config.rho_step);
+  // The direction of a step, as far as the longest step tells it. Two tolerances are a quarter turn at most.
+  const double turn =
+      std::min(std::atan2(step_sigma(sonar), sonar.max_speed * step_seconds), std::numbers::pi / 8);
+  config.theta_tolerance = config.theta_tolerance.value_or(turn);
+  config.theta_step = config.theta_step.value_or(turn / kCellsPerTolerance);
+}
+
+/// The view of the scans that a radar's method needs.
+LocalInitiatorParams local_params(const core::SonarParams& sonar, const InitiatorConfig& config) {
+  LocalInitiatorParams params;
+  params.stride = stride_for(sonar, *config.window_scans);
+  params.margin = *config.gate_margin;
+  params.window_scans = velocity_scans(sonar);
+  params.verifier.speeds = {*config.min_speed, *config.max_speed};
+  params.verifier.motion.acceleration_sigma = *config.acceleration_sigma;
+  params.verifier.min_plots = plots_needed(sonar, params.window_scans);
+  params.verifier.max_false_tracks = *config.max_false_tracks;
+  params.verifier.clutter_per_area = config.clutter_per_area;
+  return params;
+}
+
+std::unique_ptr<Initiator> make_for_sonar(const core::SonarParams& sonar, const std::string& initiator,
+                                          const InitiatorConfig& config) {
+  auto method = make_initiator(initiator, config);
+  if (suits_any_sensor(initiator)) return method;
+  return std::make_unique<LocalInitiator>(std::move(method), local_params(sonar, config));
 }
 
 }  // namespace
 
 InitiatorConfig for_sonar(const core::SonarParams& sonar, const std::string& initiator,
                           InitiatorConfig config) {
-  const double sigma = sonar.range_sigma;
-  const double period = sonar.scan_period;
+  const bool as_it_is = suits_any_sensor(initiator);
+  const int own_window = as_it_is ? velocity_scans(sonar) : make_initiator(initiator, {})->window_scans();
+  config.window_scans = config.window_scans.value_or(own_window);
+  config.min_plots = config.min_plots.value_or(plots_needed(sonar, *config.window_scans));
   config.min_speed = config.min_speed.value_or(0.0);
   config.max_speed = config.max_speed.value_or(sonar.max_speed);
   config.acceleration_sigma = config.acceleration_sigma.value_or(kAccelerationSigma);
-  config.window_scans = config.window_scans.value_or(window_for(sonar, initiator));
-  config.min_plots = config.min_plots.value_or(plots_needed(sonar, *config.window_scans));
-  config.sensor_range = config.sensor_range.value_or(2.0 * sonar.max_range);
-  config.rho_tolerance = config.rho_tolerance.value_or(2.0 * sigma);
-  config.rho_step = config.rho_step.value_or(0.5 * sigma);
-  // The direction of a pair one scan apart is as good as noise; a quarter of a right angle still tells
-  // courses apart.
-  const double turn = std::atan2(sigma, sonar.max_speed * period * *config.window_scans);
-  config.theta_tolerance = config.theta_tolerance.value_or(turn);
-  config.theta_step = config.theta_step.value_or(0.25 * turn);
   config.max_false_tracks = config.max_false_tracks.value_or(kFalseTracksPerScan);
+  if (as_it_is) return config;
+  const double step_seconds = stride_for(sonar, *config.window_scans) * sonar.scan_period;
+  config.gate_margin = config.gate_margin.value_or(kMarginSigmas * step_sigma(sonar));
+  config.max_turn = config.max_turn.value_or(std::numbers::pi);  // Who may stand still may step anywhere.
+  config.sensor_range = config.sensor_range.value_or(
+      2.0 * (*config.max_speed * step_seconds * (*config.window_scans - 1) + *config.gate_margin));
+  config.centred_rows = true;
+  scale_cells(sonar, step_seconds, config);
   return config;
 }
 
@@ -57,11 +112,12 @@ InitiatorBirth::InitiatorBirth(const std::string& initiator, const InitiatorConf
                                const core::SonarParams& sonar)
     : sonar_(sonar), gate_(chi_square_gate(kGateProbability, 2)) {
   const InitiatorConfig scaled = for_sonar(sonar, initiator, config);
+  auto method = make_for_sonar(sonar, initiator, scaled);
   SlidingParams params;
-  params.window_scans = *scaled.window_scans;
+  params.window_scans = method->window_scans();
   params.follow = false;  // The tracker's own tracks claim their echoes.
   params.motion.acceleration_sigma = *scaled.acceleration_sigma;
-  sliding_ = std::make_unique<SlidingInitiator>(make_initiator(initiator, scaled), params);
+  sliding_ = std::make_unique<SlidingInitiator>(std::move(method), params);
 }
 
 std::span<const core::MotionElement> InitiatorBirth::propose(const core::PosedScan& scan,

@@ -61,6 +61,9 @@ void InitiatorConfig::validate() const {
   if (max_speed) require(*max_speed > min_speed.value_or(0.0), "max_speed", *max_speed, "> min_speed");
   if (acceleration_sigma)
     require(*acceleration_sigma >= 0.0, "acceleration_sigma", *acceleration_sigma, ">= 0");
+  if (gate_margin) require(*gate_margin >= 0.0, "gate_margin", *gate_margin, ">= 0");
+  if (max_turn)
+    require(*max_turn > 0.0 && *max_turn <= std::numbers::pi, "max_turn", *max_turn, "in (0, pi]");
   if (window_scans) require(*window_scans >= 2, "window_scans", *window_scans, ">= 2");
   if (min_plots) require(*min_plots >= 2, "min_plots", *min_plots, ">= 2");
   require_positive(rho_step, "rho_step");
@@ -108,6 +111,8 @@ void read_initiator_config(const core::YamlMap& map, InitiatorConfig& config) {
   read(map, "min_speed", core::kNotNegative, config.min_speed);
   read(map, "max_speed", core::kPositive, config.max_speed);
   read(map, "acceleration_sigma", core::kNotNegative, config.acceleration_sigma);
+  read(map, "gate_margin", core::kNotNegative, config.gate_margin);
+  read(map, "max_turn_deg", core::Range{0.0, 180.0, true}, config.max_turn, degree);
   config.window_scans = optional_integer(map, "window_scans", config.window_scans, 2);
   config.min_plots = optional_integer(map, "min_plots", config.min_plots, 2);
   read(map, "rho_step", core::kPositive, config.rho_step);

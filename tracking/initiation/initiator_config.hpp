@@ -27,16 +27,23 @@ struct InitiatorConfig {
   std::optional<double> min_speed;           ///< Slowest target [m/s], >= 0.
   std::optional<double> max_speed;           ///< Fastest target [m/s], > min_speed.
   std::optional<double> acceleration_sigma;  ///< White acceleration of a target [m/s^2], >= 0.
-  std::optional<int> window_scans;           ///< Scans of a window, >= 2.
-  std::optional<int> min_plots;              ///< Plots that a track needs, >= 2.
+  /// How far errors of the plots widen the limits of a step between two scans [m], >= 0; absent: the
+  /// method's.
+  std::optional<double> gate_margin;
+  std::optional<double> max_turn;   ///< Largest angle between two steps [rad], in (0, pi].
+  std::optional<int> window_scans;  ///< Scans of a window, >= 2.
+  std::optional<int> min_plots;     ///< Plots that a track needs, >= 2.
 
   std::optional<double> rho_step;         ///< Height of a Hough cell [m], > 0.
   std::optional<double> theta_step;       ///< Width of a Hough cell [rad], in (0, pi/4].
   std::optional<double> rho_tolerance;    ///< Sigma of a fuzzy vote along rho [m], > 0.
   std::optional<double> theta_tolerance;  ///< Sigma of a fuzzy vote along theta [rad], > 0.
   std::optional<double> sensor_range;     ///< Half of the rho that the grid covers [m], > 0.
-  std::optional<double> peak_threshold;   ///< Share of the highest peak that a peak needs, in (0, 1].
-  std::optional<int> max_tracks;          ///< Most tracks of a window, >= 1.
+  /// A row of Hough cells lies around rho = 0, in place of the papers' border between two: for plots that are
+  /// seen from the middle of their course. Not a key of the configuration.
+  bool centred_rows = false;
+  std::optional<double> peak_threshold;  ///< Share of the highest peak that a peak needs, in (0, 1].
+  std::optional<int> max_tracks;         ///< Most tracks of a window, >= 1.
 
   std::optional<double> gate_probability;  ///< Share of true plots inside a gate of VCT, in (0, 1).
   std::optional<double> max_false_tracks;  ///< False chains expected per window that VCT allows, > 0.

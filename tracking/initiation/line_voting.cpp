@@ -40,6 +40,8 @@ LineVotingParams line_voting_params(const InitiatorConfig& config) {
   params.min_plots = config.min_plots.value_or(params.min_plots);
   params.max_tracks = config.max_tracks.value_or(params.max_tracks);
   params.window_scans = config.window_scans.value_or(params.window_scans);
+  params.gate_margin = config.gate_margin.value_or(params.gate_margin);
+  params.centred_rows = config.centred_rows;
   params.motion.acceleration_sigma = config.acceleration_sigma.value_or(0.0);
   return params;
 }
@@ -51,7 +53,8 @@ csht::LineGrid grid_over(const PlotWindow& window, const LineVotingParams& param
         "rho_step must be >= " + std::to_string(2.0 * largest_distance(window) / kMaxRows) +
         " for these plots, got " + std::to_string(params.rho_step));
   const int num_theta = std::max(1, static_cast<int>(std::ceil(std::numbers::pi / params.theta_step)));
-  return {num_theta, 2 * static_cast<int>(half_rows), half_rows * params.rho_step};
+  const int middle = params.centred_rows ? 1 : 0;
+  return {num_theta, 2 * static_cast<int>(half_rows) + middle, (half_rows + 0.5 * middle) * params.rho_step};
 }
 
 bool is_local_maximum(const csht::LineGrid& grid, const csht::SparseAccumulator& votes,

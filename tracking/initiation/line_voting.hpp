@@ -23,6 +23,8 @@ struct LineVotingParams {
   int min_plots = 3;     ///< Scans that a line's plots must come from, >= 2.
   int max_tracks = 500;  ///< The strongest lines that are declared, >= 1.
   int window_scans = 7;  ///< [Fan2018] section V.
+  double gate_margin = 0.0;       ///< By which the limits of a pair's speed are widened [m], >= 0.
+  bool centred_rows = false;      ///< A row of cells lies around rho = 0, in place of the border of two.
   MotionModelParams motion{0.0};  ///< Of the refit.
 
   /// Rows and columns of the neighbourhood that one line fills, two tolerances [Fan2018] Eq. (28).

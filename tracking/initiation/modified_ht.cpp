@@ -12,8 +12,10 @@ namespace lookout::tracking {
 ModifiedHtInitiator::ModifiedHtInitiator(const ModifiedHtParams& params) : params_(params) {
   params.speeds.validate();
   params.motion.validate();
-  if (!(params.max_angle > 0.0 && params.max_angle < std::numbers::pi))
-    throw std::invalid_argument("max_angle must be in (0, pi), got " + std::to_string(params.max_angle));
+  if (!(params.margin >= 0.0))
+    throw std::invalid_argument("gate_margin must be >= 0, got " + std::to_string(params.margin));
+  if (!(params.max_angle > 0.0 && params.max_angle <= std::numbers::pi))
+    throw std::invalid_argument("max_angle must be in (0, pi], got " + std::to_string(params.max_angle));
 }
 
 const StartedTracks& ModifiedHtInitiator::start(const PlotWindow& window) {
@@ -25,8 +27,8 @@ const StartedTracks& ModifiedHtInitiator::start(const PlotWindow& window) {
   const double seconds = window.time(last - 1) - window.time(last - 2);
   for (int i = window.first(last - 2); i < window.end(last - 2) && started_.refusal.empty(); ++i) {
     const Eigen::Vector2d from = window.plot(i).position;
-    middle_.near(from, params_.speeds.max * seconds, [&](int j) {
-      if (in_annulus(window.plot(j).position - from, seconds, params_.speeds, 0.0))
+    middle_.near(from, params_.speeds.max * seconds + params_.margin, [&](int j) {
+      if (in_annulus(window.plot(j).position - from, seconds, params_.speeds, params_.margin))
         extend_pair(window, last, i, j);
     });
   }
@@ -42,9 +44,10 @@ void ModifiedHtInitiator::extend_pair(const PlotWindow& window, int scan, int fi
   const Eigen::Vector2d from = window.plot(second).position;
   const Eigen::Vector2d leg = from - window.plot(first).position;
   const double seconds = window.time(scan) - window.time(scan - 1);
-  newest_.near(from, params_.speeds.max * seconds, [&](int k) {
+  newest_.near(from, params_.speeds.max * seconds + params_.margin, [&](int k) {
     const Eigen::Vector2d next = window.plot(k).position - from;
-    if (!in_annulus(next, seconds, params_.speeds, 0.0) || angle_between(leg, next) > params_.max_angle)
+    if (!in_annulus(next, seconds, params_.speeds, params_.margin) ||
+        angle_between(leg, next) > params_.max_angle)
       return;
     if (static_cast<std::int64_t>(started_.tracks.size()) < params_.max_triples)
       add_track(window, std::array{first, second, k}, params_.motion, 3.0, started_);
@@ -59,6 +62,8 @@ std::unique_ptr<Initiator> make_modified_ht(const InitiatorConfig& config) {
   chosen_variant(config, "modified_ht", {});
   ModifiedHtParams params;
   params.speeds = speed_limits(config, kZengSpeeds);
+  params.margin = config.gate_margin.value_or(params.margin);
+  params.max_angle = config.max_turn.value_or(params.max_angle);
   params.motion.acceleration_sigma = config.acceleration_sigma.value_or(1.0);
   return std::make_unique<ModifiedHtInitiator>(params);
 }

@@ -15,7 +15,8 @@ namespace lookout::tracking {
 
 struct ModifiedHtParams {
   SpeedLimits speeds = kZengSpeeds;
-  double max_angle = 0.471238898;      ///< Between the two legs [rad], in (0, pi): 30 columns of 0.9 degrees.
+  double max_angle = 0.471238898;      ///< Between the two legs [rad], in (0, pi]: 30 columns of 0.9 degrees.
+  double margin = 0.0;                 ///< By which the limits of a leg's speed are widened [m], >= 0.
   std::int64_t max_triples = 500'000;  ///< More are refused, >= 1: bounds time and memory.
   MotionModelParams motion{1.0};       ///< Of the refit.
 };
@@ -41,7 +42,7 @@ class ModifiedHtInitiator : public Initiator {
   StartedTracks started_;
 };
 
-/// Keys: `min_speed`, `max_speed`, `acceleration_sigma`. No variants.
+/// Keys: `min_speed`, `max_speed`, `gate_margin`, `max_turn_deg`, `acceleration_sigma`. No variants.
 std::unique_ptr<Initiator> make_modified_ht(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

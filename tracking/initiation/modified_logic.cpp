@@ -33,7 +33,8 @@ std::unique_ptr<Initiator> make_modified_logic(const InitiatorConfig& config) {
   const std::string variant = chosen_variant(config, "modified_logic", {"polar", "isotropic"});
   ModifiedLogicParams params;
   params.gates.speeds = speed_limits(config, kZengSpeeds);
-  params.gates.margin = 0.0;
+  params.gates.margin = config.gate_margin.value_or(0.0);
+  params.gates.limit_turns(config.max_turn);
   params.gates.fan_gate = false;
   params.gates.filtered = false;
   params.gates.gate = kGate;

@@ -31,8 +31,9 @@ class ModifiedLogicInitiator : public Initiator {
   StartedTracks started_;
 };
 
-/// Keys: `min_speed`, `max_speed`, `acceleration_sigma`, `min_plots`, `window_scans`. Variants: `polar`
-/// (default: the plots' own noise) and `isotropic` (25000 m^2 along both axes, as in the authors' program).
+/// Keys: `min_speed`, `max_speed`, `gate_margin`, `max_turn_deg`, `acceleration_sigma`, `min_plots`,
+/// `window_scans`. Variants: `polar` (default: the plots' own noise) and `isotropic` (25000 m^2 along both
+/// axes, as in the authors' program).
 std::unique_ptr<Initiator> make_modified_logic(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

@@ -46,7 +46,7 @@ double longest_step(const PlotWindow& window) {
 }  // namespace
 
 NhtPlusInitiator::NhtPlusInitiator(const NhtPlusParams& params)
-    : params_(params), formation_(params.speeds, kMaxPairs), grid_(1, 1, 1.0) {
+    : params_(params), formation_(params.speeds, kMaxPairs, params.gate_margin), grid_(1, 1, 1.0) {
   params.motion.validate();
   if (!std::isfinite(params.speeds.max)) throw std::invalid_argument("max_speed must be finite");
   if (params.min_plots < 3)
@@ -259,6 +259,7 @@ std::unique_ptr<Initiator> make_nht_plus(const InitiatorConfig& config) {
   NhtPlusParams params;
   params.speeds = speed_limits(config, kFanSpeeds);
   params.motion.acceleration_sigma = config.acceleration_sigma.value_or(0.0);
+  params.gate_margin = config.gate_margin.value_or(params.gate_margin);
   params.min_plots = config.min_plots.value_or(params.min_plots);
   params.window_scans = config.window_scans.value_or(params.window_scans);
   params.peak_threshold = config.peak_threshold.value_or(params.peak_threshold);

@@ -17,6 +17,7 @@ namespace lookout::tracking {
 struct NhtPlusParams {
   SpeedLimits speeds = kFanSpeeds;
   MotionModelParams motion{0.0};
+  double gate_margin = 0.0;            ///< By which the limits of a pair's speed are widened [m], >= 0.
   double acceleration_factor = 1.5;    ///< Widens the tolerances where the motion is not straight, >= 1.
   double reach_sigmas = 2.0;           ///< How far a pair votes, in its sigmas, > 0. [Fan2018] Eq. (28).
   double theta_cells_per_sigma = 8.0;  ///< Fineness of the grid for the fastest pair, > 0.
@@ -102,8 +103,8 @@ class NhtPlusInitiator : public HoughInitiator {
   StartedTracks started_;
 };
 
-/// Keys: `min_speed`, `max_speed`, `acceleration_sigma`, `min_plots`, `window_scans`, `peak_threshold`,
-/// `max_tracks`. No variants.
+/// Keys: `min_speed`, `max_speed`, `gate_margin`, `acceleration_sigma`, `min_plots`, `window_scans`,
+/// `peak_threshold`, `max_tracks`. No variants.
 std::unique_ptr<Initiator> make_nht_plus(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

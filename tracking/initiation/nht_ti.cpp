@@ -9,7 +9,7 @@
 namespace lookout::tracking {
 
 NhtTiInitiator::NhtTiInitiator(const NhtTiParams& params)
-    : params_(params), formation_(params.speeds, kMaxPairs), grid_(1, 1, 1.0) {
+    : params_(params), formation_(params.speeds, kMaxPairs, params.lines.gate_margin), grid_(1, 1, 1.0) {
   if (!(params.false_alarm_probability >= 0.0 && params.false_alarm_probability < 1.0))
     throw std::invalid_argument("false_alarm_probability must be in [0, 1), got " +
                                 std::to_string(params.false_alarm_probability));

@@ -64,8 +64,8 @@ class NhtTiInitiator : public HoughInitiator {
   StartedTracks started_;
 };
 
-/// Keys: `min_speed`, `max_speed` and those of LineVotingParams. Variants: `spread` (default), `cell`,
-/// `spread_chained`, `cell_chained`.
+/// Keys: `min_speed`, `max_speed`, `gate_margin` and those of LineVotingParams. Variants: `spread` (default),
+/// `cell`, `spread_chained`, `cell_chained`.
 std::unique_ptr<Initiator> make_nht_ti(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

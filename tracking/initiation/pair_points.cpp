@@ -1,18 +1,21 @@
 #include "tracking/initiation/pair_points.hpp"
 
+#include <stdexcept>
 #include <tuple>
 
 namespace lookout::tracking {
 
-PairFormation::PairFormation(const SpeedLimits& speeds, std::int64_t max_pairs)
-    : speeds_(speeds), max_pairs_(max_pairs) {
+PairFormation::PairFormation(const SpeedLimits& speeds, std::int64_t max_pairs, double margin)
+    : speeds_(speeds), max_pairs_(max_pairs), margin_(margin) {
   speeds.validate();
+  if (!(margin >= 0.0))
+    throw std::invalid_argument("gate_margin must be >= 0, got " + std::to_string(margin));
 }
 
 void PairFormation::add(const PlotWindow& window, int older, int newer, const Eigen::Vector2d& origin) {
   const Plot& a = window.plot(older);
   const Plot& b = window.plot(newer);
-  if (!in_annulus(b.position - a.position, b.time - a.time, speeds_, 0.0)) return;
+  if (!in_annulus(b.position - a.position, b.time - a.time, speeds_, margin_)) return;
   if (++total_ > max_pairs_) return;
   pairs_.push_back({older, newer, *csht::line_through(a.position - origin, b.position - origin)});
 }
@@ -21,7 +24,7 @@ const std::vector<PairPoint>& PairFormation::form(const PlotWindow& window, int 
                                                   const Eigen::Vector2d& origin) {
   pairs_.clear();
   const bool gated = std::isfinite(speeds_.max);
-  const double radius = speeds_.max * (window.time(scan) - window.time(scan - 1));
+  const double radius = speeds_.max * (window.time(scan) - window.time(scan - 1)) + margin_;
   if (gated) index_.build(window, scan);
   for (int older = window.first(scan - 1); older < window.end(scan - 1) && !exceeded(); ++older) {
     if (gated) {

@@ -26,7 +26,8 @@ struct PairPoint {
 class PairFormation {
  public:
   /// @param max_pairs the most that one window may have: bounds time and memory.
-  PairFormation(const SpeedLimits& speeds, std::int64_t max_pairs);
+  /// @param margin by which the speed limits are widened [m], >= 0; 0 in [Fan2018].
+  PairFormation(const SpeedLimits& speeds, std::int64_t max_pairs, double margin = 0.0);
 
   /// Starts a new window.
   void restart() { total_ = 0; }
@@ -43,6 +44,7 @@ class PairFormation {
 
   SpeedLimits speeds_;
   std::int64_t max_pairs_;
+  double margin_;
   std::int64_t total_ = 0;
   PlotIndex index_;
   std::vector<PairPoint> pairs_;

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "tracking/association/gating.hpp"
+#include "tracking/initiation/false_chains.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -19,21 +20,6 @@ void require(bool good, const char* field, double value, const char* accepted) {
   if (!good)
     throw std::invalid_argument(std::string(field) + " must be " + accepted + ", got " +
                                 std::to_string(value));
-}
-
-double log_choose(int n, int k) {
-  return std::lgamma(n + 1.0) - std::lgamma(k + 1.0) - std::lgamma(n - k + 1.0);
-}
-
-/// No target is faster than the limit by much: a velocity of zero, give or take the limit along each axis.
-void add_speed_prior(double max_speed, TrackFit& fit) {
-  core::Track& track = fit.track;
-  const Eigen::Matrix2d innovation =
-      track.covariance.bottomRightCorner<2, 2>() + max_speed * max_speed * Eigen::Matrix2d::Identity();
-  const Eigen::Matrix<double, 4, 2> gain = track.covariance.rightCols<2>() * innovation.inverse();
-  track.state -= gain * track.velocity();
-  const Eigen::Matrix4d reduction = gain * track.covariance.bottomRows<2>();
-  track.covariance -= 0.5 * (reduction + reduction.transpose());
 }
 
 /// Three sigmas, say, of the difference of two plots along their displacement [m].
@@ -158,15 +144,8 @@ void VctInitiator::propose_extensions(const PlotWindow& window, int branch, int 
   });
 }
 
-/// The volume of a ball of 2 d dimensions and squared radius c is (pi c)^d / d!; the residuals of `plots`
-/// plots span d = plots - 2 of them in units of the ellipsoid. A fit better than expected of a true chain
-/// tells nothing more.
 double VctInitiator::log_expected(double log_false, double chi_square, int plots) const {
-  const int d = plots - 2;
-  const double patterns = log_choose(num_scans_, std::min(plots, num_scans_));
-  if (d <= 0) return log_false + patterns;
-  return log_false + patterns + d * std::log(std::numbers::pi * std::max(chi_square, 1.0 * d)) -
-         std::lgamma(d + 1.0);
+  return log_false_chains(log_false, chi_square, plots, num_scans_);
 }
 
 double VctInitiator::log_density(const Plot& plot) const {
@@ -208,10 +187,7 @@ bool VctInitiator::accepted(const Branch& branch) const {
   if (plots < params_.min_plots) return false;
   if (branch.fit.chi_square > chain_gates_[static_cast<std::size_t>(plots)]) return false;
   if (branch.log_expected > std::log(params_.max_false_tracks)) return false;
-  const double sigma = std::sqrt(0.5 * branch.fit.track.covariance.bottomRightCorner<2, 2>().trace());
-  const double speed = branch.fit.track.velocity().norm();
-  return speed >= params_.speeds.min - params_.margin_sigmas * sigma &&
-         speed <= params_.speeds.max + params_.margin_sigmas * sigma;
+  return speed_allowed(branch.fit, params_.speeds, params_.margin_sigmas);
 }
 
 void VctInitiator::collect_plots(int branch) {

@@ -52,6 +52,26 @@ TEST(GateLogic, DropsATrackThatTurnsTooFast) {
   for (const GateTrack& track : gates.run(window)) EXPECT_LT(track.num_plots, 4);
 }
 
+TEST(GateLogic, ATurnMayBeAllowedByItself) {
+  PlotWindow window;
+  const double path[4][2] = {{0, 0}, {2500, 0}, {2500, 2500}, {2500, 5000}};
+  for (int k = 0; k < 4; ++k) {
+    window.begin_scan(5.0 * k);
+    Plot plot;
+    plot.noise = 1e6 * Eigen::Matrix2d::Identity();
+    plot.position = {path[k][0], path[k][1]};
+    window.add(plot);
+  }
+  GateLogicParams params;
+  params.limit_turns(1.0);  // 57 degrees: less than the path's 90.
+  EXPECT_TRUE(params.fan_gate);
+  for (const GateTrack& track : GateLogic(params).run(window)) EXPECT_LT(track.num_plots, 4);
+  params.limit_turns(3.0);
+  EXPECT_FALSE(params.fan_gate);  // No fan opens around a direction that says nothing.
+  GateLogic gates(params);
+  EXPECT_EQ(gates.run(window)[0].num_plots, 4);
+}
+
 TEST(GateLogic, KnowledgeOfTheCourseRefusesTheOppositeOne) {
   PlotWindow window;
   for (int k = 0; k < 4; ++k) {

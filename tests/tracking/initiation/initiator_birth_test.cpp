@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tracking/initiation/initiator_registry.hpp"
 
 namespace lookout::tracking {
@@ -42,6 +45,33 @@ std::vector<core::MotionElement> run(const std::string& name, std::span<const co
 
 TEST(InitiatorBirth, EveryMethodStartsAPlainTargetFarFromTheOrigin) {
   for (const auto& name : initiator_names()) EXPECT_GE(run(name, {}).size(), 1u) << name;
+}
+
+// Errors of 3 m, 3 m/s at most, a scan every half second: two plots of one target differ by 3 sqrt(2) m of
+// errors, the fastest moves as far in 1.4 s, that is, in three scans.
+TEST(ForSonar, GatesAndCellsFollowTheErrors) {
+  const core::SonarParams sonar;
+  const InitiatorConfig gates = for_sonar(sonar, "ag_fht", {});
+  EXPECT_NEAR(*gates.gate_margin, 3.0 * std::sqrt(2.0) * 3.0, 1e-12);
+  EXPECT_DOUBLE_EQ(*gates.max_turn, std::numbers::pi);  // A step shorter than its errors has any direction.
+  EXPECT_EQ(*gates.window_scans, 4);                    // The paper's own.
+  EXPECT_DOUBLE_EQ(*gates.rho_step, 6.0);               // Two sigmas.
+  // Three steps of 1.5 s at 3 m/s and the margin, to either side.
+  EXPECT_NEAR(*gates.sensor_range, 2.0 * (13.5 + *gates.gate_margin), 1e-12);
+  EXPECT_EQ(*for_sonar(sonar, "nht_ti", {}).window_scans, 7);
+}
+
+TEST(ForSonar, WhatTheUserGaveStays) {
+  InitiatorConfig given;
+  given.gate_margin = 1.0;
+  given.max_turn = 0.5;
+  given.window_scans = 5;
+  given.rho_step = 0.7;
+  const InitiatorConfig config = for_sonar({}, "modified_logic", given);
+  EXPECT_EQ(config.gate_margin, 1.0);
+  EXPECT_EQ(config.max_turn, 0.5);
+  EXPECT_EQ(config.window_scans, 5);
+  EXPECT_EQ(config.rho_step, 0.7);
 }
 
 TEST(InitiatorBirth, ProposesNothingThatATrackExplains) {

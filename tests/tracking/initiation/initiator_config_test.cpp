@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <numbers>
 
 #include "core/input_error.hpp"
 #include "core/yaml_reader.hpp"
@@ -23,12 +24,16 @@ TEST(InitiatorConfig, ReadsItsKeysWithTheirUnits) {
   EXPECT_NEAR(*config.azimuth_sigma, 0.005235987755982988, 1e-15);  // 0.3 degrees
   EXPECT_DOUBLE_EQ(*config.max_speed, 750.0);
   EXPECT_FALSE(config.window_scans);
+  EXPECT_NEAR(*read("{max_turn_deg: 180}").max_turn, std::numbers::pi, 1e-15);
+  EXPECT_EQ(*read("{gate_margin: 12.5}").gate_margin, 12.5);
 }
 
 TEST(InitiatorConfig, RefusesUnknownKeysAndValuesOutOfRange) {
   EXPECT_THROW(read("{min_sped: 3}"), core::InputError);
   EXPECT_THROW(read("{min_speed: 5, max_speed: 4}"), core::InputError);
   EXPECT_THROW(read("{window_scans: 1}"), core::InputError);
+  EXPECT_THROW(read("{max_turn_deg: 181}"), core::InputError);
+  EXPECT_THROW(read("{gate_margin: -1}"), core::InputError);
   EXPECT_THROW(read("{range_sigma: 10}"), core::InputError);
   EXPECT_THROW(read("{peak_threshold: 1.5}"), core::InputError);
 }

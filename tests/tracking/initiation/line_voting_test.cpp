@@ -21,6 +21,23 @@ TEST(LineVoting, ANeighbourhoodIsTwoTolerancesWide) {
   EXPECT_EQ(params.theta_radius(), 8);
 }
 
+// Noise-free plots on both sides of rho = 0: the papers' grid has a border there, the centred one a row.
+TEST(LineVoting, ACentredGridHasARowAroundTheOrigin) {
+  PlotWindow window;
+  window.begin_scan(0.0);
+  Plot plot;
+  plot.position = {100.0, 0.0};
+  window.add(plot);
+  LineVotingParams params;
+  const csht::LineGrid border = grid_over(window, params);
+  EXPECT_NE(border.row_of(-1e-9), border.row_of(1e-9));
+  params.centred_rows = true;
+  const csht::LineGrid centred = grid_over(window, params);
+  EXPECT_EQ(centred.row_of(-2.4), centred.row_of(2.4));  // Rows of 5 m.
+  EXPECT_NE(centred.row_of(2.4), centred.row_of(2.6));
+  EXPECT_NEAR(centred.rho_step(), params.rho_step, 1e-12);
+}
+
 TEST(LineVoting, DeclaresPeaksAboveHalfOfTheHighestOneANeighbourhood) {
   csht::SparseAccumulator votes;
   votes.add(kGrid.index({10, 50}), 6.0);   // The highest,

@@ -10,7 +10,7 @@ namespace {
 
 /// Tracks of one triple 5 s apart: a leg of 2500 m along the first axis, then one of `length` turned by
 /// `turn` degrees.
-std::size_t tracks_of(double turn, double length) {
+std::size_t tracks_of(double turn, double length, const InitiatorConfig& config = {}) {
   const double angle = turn * std::numbers::pi / 180.0;
   PlotWindow window;
   Plot plot;
@@ -20,13 +20,22 @@ std::size_t tracks_of(double turn, double length) {
     plot.position += step;
     window.add(plot);
   }
-  return make_modified_ht({})->start(window).tracks.size();
+  return make_modified_ht(config)->start(window).tracks.size();
 }
 
 TEST(ModifiedHt, ZeroCrossingsMayBeThirtyColumnsApart) {
   EXPECT_EQ(tracks_of(26.9, 2500.0), 1u);  // 30 columns of 0.9 degrees.
   EXPECT_EQ(tracks_of(27.1, 2500.0), 0u);
   EXPECT_EQ(tracks_of(-26.9, 2500.0), 1u);
+}
+
+TEST(ModifiedHt, LimitsMayBeWidened) {
+  InitiatorConfig config;
+  config.max_turn = std::numbers::pi;
+  EXPECT_EQ(tracks_of(180.0, 2500.0, config), 1u);
+  config.gate_margin = 300.0;  // 1365 to 4050 m in 5 s.
+  EXPECT_EQ(tracks_of(0.0, 1400.0, config), 1u);
+  EXPECT_EQ(tracks_of(0.0, 1300.0, config), 0u);
 }
 
 TEST(ModifiedHt, TheMotionDoesNotReverse) {

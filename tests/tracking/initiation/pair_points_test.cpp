@@ -34,6 +34,12 @@ TEST(PairPoints, SpeedLimitsRefuseWhatIsTooFast) {
   EXPECT_NEAR(pairs[0].line.rho, 0.0, 1e-9);
 }
 
+TEST(PairPoints, AMarginWidensTheLimits) {
+  PairFormation formation(kFanSpeeds, 100, 101.0);  // 99 to 901 m
+  EXPECT_EQ(formation.form(two_scans(), 1, {0, 0}).size(), 2u);
+  EXPECT_THROW(PairFormation(kFanSpeeds, 100, -1.0), std::invalid_argument);
+}
+
 TEST(PairPoints, SaysWhenAWindowIsTooMuch) {
   PairFormation formation({}, 1);
   formation.form(two_scans(), 1, {0, 0});
