@@ -23,14 +23,15 @@ class ClaimSet {
   const BeamMask* at_age(int age) const;
 
  private:
-  void claim_beams(const ScanTable& scan, std::span<const Eigen::Vector4d> samples, double seconds,
-                   double existence, BeamMask& mask);
-  void claim_points(const ScanTable& scan, std::span<const Eigen::Vector4d> samples, double seconds,
-                    double existence, BeamMask& mask) const;
+  void copy(std::span<const Eigen::Vector4d> samples);
+  void claim_beams(const ScanTable& scan, double existence, BeamMask& mask);
+  void claim_points(const ScanTable& scan, double existence, BeamMask& mask) const;
 
   std::vector<BeamMask> masks_;
   int window_scans_ = 0;
-  std::vector<double> weight_, range_;  // Per slot: samples in it, and the sum of their ranges.
+  std::vector<double> north_, east_, north_velocity_, east_velocity_;  ///< Of the samples of a claim.
+  std::vector<float> range_, bearing_;                                 ///< Where a scan sees them.
+  std::vector<double> weight_, range_sum_;  ///< Per beam: samples in it, their ranges.
   std::vector<int> touched_;
 };
 

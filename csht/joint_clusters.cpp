@@ -8,14 +8,18 @@
 #include <stdexcept>
 #include <string>
 
+#include "csht/fast_math.hpp"
+
 namespace lookout::csht {
 namespace {
 
 constexpr double kPairSigmas = 4.0;  // Echoes farther from the prediction do not count [sigma].
 constexpr std::size_t kEchoesPerScan =
     3;                                 // Of a hypothesis at most, with beams: its own and both neighbours.
+constexpr double kLeastRange = 1e-9;   // Keeps a direction regular at the sonar itself [m].
 constexpr double kLeastWeight = 1e-6;  // Memberships below change nothing.
-constexpr double kFarPosition = 30.0;  // Sigma that keeps the position of a cluster regular [m].
+constexpr double kLeastDeterminant = 1e-300;  // Of a covariance that is singular but for rounding.
+constexpr double kFarPosition = 30.0;         // Sigma that keeps the position of a cluster regular [m].
 
 void require(bool holds, const char* what, double value) {
   if (!holds) throw std::invalid_argument(std::string(what) + ", got " + std::to_string(value));
@@ -25,21 +29,26 @@ double blend(double from, double to, int round, int rounds) {
   return rounds == 1 ? to : from + (to - from) * round / (rounds - 1);
 }
 
-double log_determinant(const Eigen::Matrix4d& covariance) {
-  return std::log(std::max(covariance.determinant(), 1e-300));
-}
-
 double unclaimed(const BeamMask* mask, std::size_t index, double range) {
   return mask == nullptr || range < mask->range[index] ? 1.0 : 1.0 - mask->share[index];
+}
+
+double negative_exp(double x) {
+  return static_cast<double>(fast_exp(static_cast<float>(-x)));
 }
 
 // Probability that a target predicted `off` beams from a slot's centre lies in that slot, up to a factor.
 double slot_weight(double off, double softness) {
   const double outside = std::max(0.0, std::abs(off) - 0.5) / softness;
-  return std::exp(-0.5 * outside * outside);
+  return negative_exp(0.5 * outside * outside);
 }
 
 }  // namespace
+
+double laplace_log_odds(double log_ratio, const Eigen::Matrix4d& covariance, double log_density) {
+  const double log_determinant = std::log(std::max(covariance.determinant(), kLeastDeterminant));
+  return log_ratio + 2.0 * std::log(2.0 * std::numbers::pi) + 0.5 * log_determinant + log_density;
+}
 
 JointClusters::JointClusters(const JointClusterParams& params) : params_(params) {
   require(params.rounds >= 1, "rounds must be >= 1", params.rounds);
@@ -50,6 +59,8 @@ JointClusters::JointClusters(const JointClusterParams& params) : params_(params)
 void JointClusters::refine(const ScanHistory& history, int window_scans, const ClaimSet& claims,
                            const TrajectoryPrior& prior, std::vector<TargetHypothesis>& hypotheses) {
   const int window = std::min(window_scans, history.size());
+  before_.reserve(hypotheses.capacity());
+  existence_.reserve(hypotheses.capacity());
   score(history, window, claims, prior, hypotheses);
   before_ = hypotheses;
   echoes_.reserve(kEchoesPerScan * hypotheses.capacity() * static_cast<std::size_t>(window));
@@ -76,11 +87,10 @@ void JointClusters::find_echoes(const ScanHistory& history, int window, const Cl
   for (std::size_t k = 0; k < hypotheses.size(); ++k) {
     for (int age = 0; age < window; ++age) {
       const ScanTable& scan = history.at_age(age);
-      const double seconds = history.seconds_at_age(age);
-      const Eigen::Vector4d& mean = hypotheses[k].mean;
-      const double dn = mean[0] + seconds * mean[2] - scan.T_earth_sonar.north;
-      const double de = mean[1] + seconds * mean[3] - scan.T_earth_sonar.east;
-      Echo echo{k, age, 0, 0, 0, 0, 0, std::hypot(dn, de), std::atan2(de, dn)};
+      Echo echo;
+      echo.hypothesis = k;
+      echo.age = age;
+      predict(scan, hypotheses[k].mean, history.seconds_at_age(age), echo);
       if (echo.range > scan.max_range) continue;
       if (scan.clutter == ClutterModel::point)
         point_echoes(scan, claims.at_age(age), tolerance, echo);
@@ -90,11 +100,21 @@ void JointClusters::find_echoes(const ScanHistory& history, int window, const Cl
   }
 }
 
+void JointClusters::predict(const ScanTable& scan, const Eigen::Vector4d& state, double seconds, Echo& echo) {
+  const Eigen::Vector2d to = state.head<2>() + seconds * state.tail<2>() -
+                             Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
+  const double ahead = scan.cos_axis * to.x() + scan.sin_axis * to.y();
+  const double abeam = scan.cos_axis * to.y() - scan.sin_axis * to.x();
+  echo.range = to.norm();
+  echo.bearing = static_cast<double>(fast_atan2(static_cast<float>(abeam), static_cast<float>(ahead)));
+  echo.direction = to / std::max(echo.range, kLeastRange);
+}
+
 // The echoes of the predicted beam and of both neighbours, each as likely as the target is to lie there.
 void JointClusters::beam_echoes(const ScanTable& scan, const BeamMask* mask, const Tolerance& tolerance,
                                 Echo echo) {
-  const double bearing = core::wrap_to_pi(echo.azimuth - scan.axis);
-  const double beam = bearing / scan.bearing_step + 0.5 * scan.num_beams + 0.5;  // Slot s is centred on s.
+  const double beam =
+      echo.bearing / scan.bearing_step + 0.5 * scan.num_beams + 0.5;  // Slot s is centred on s.
   const int middle = static_cast<int>(std::lround(beam));
   if (middle < 1 || middle > scan.num_beams) return;
   double total = 0.0, none = 0.0;
@@ -109,7 +129,7 @@ void JointClusters::beam_echoes(const ScanTable& scan, const BeamMask* mask, con
     if (std::abs(sigmas) > kPairSigmas) continue;
     echo.index = slot;
     echo.weight = weight * unclaimed(mask, slot, echo.range) * scan.gain / tolerance.sigma_scale *
-                  std::exp(-0.5 * sigmas * sigmas);
+                  negative_exp(0.5 * sigmas * sigmas);
     echo.range_residual = offset;
     echo.bearing_residual = (s - beam) * scan.bearing_step;
     if (echo.weight > kLeastWeight) echoes_.push_back(echo);
@@ -122,19 +142,18 @@ void JointClusters::beam_echoes(const ScanTable& scan, const BeamMask* mask, con
 
 void JointClusters::point_echoes(const ScanTable& scan, const BeamMask* mask, const Tolerance& tolerance,
                                  Echo echo) {
-  const double bearing = core::wrap_to_pi(echo.azimuth - scan.axis);
   const double scale = 1.0 / tolerance.sigma_scale;
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     echo.range_residual = scan.detections[j].range - echo.range;
-    echo.bearing_residual = core::wrap_to_pi(scan.bearing_from_axis[j] - bearing);
+    echo.bearing_residual = core::wrap_to_pi(scan.bearing_from_axis[j] - echo.bearing);
     const double dr = echo.range_residual * scan.inverse_sigma * scale;
     const double db = echo.bearing_residual * scan.inverse_bearing_sigma * scale;
     const double square = dr * dr + db * db;
     if (square > kPairSigmas * kPairSigmas) continue;
     echo.index = j;
     echo.none = scan.base[1];
-    echo.weight =
-        scan.gain * scale * scale * std::exp(-0.5 * square) * (mask == nullptr ? 1.0 : 1.0 - mask->share[j]);
+    echo.weight = scan.gain * scale * scale * negative_exp(0.5 * square) *
+                  (mask == nullptr ? 1.0 : 1.0 - mask->share[j]);
     if (echo.weight > kLeastWeight) echoes_.push_back(echo);
   }
 }
@@ -149,13 +168,15 @@ void JointClusters::let_rivals_share(const ScanHistory& history, int window,
     claims_by_echo_[static_cast<std::size_t>(age)].assign(std::max(scan.range.size(), scan.detections.size()),
                                                           0.0);
   }
+  existence_.resize(hypotheses.size());
+  for (std::size_t k = 0; k < hypotheses.size(); ++k) existence_[k] = hypotheses[k].existence();
   const auto claim_of = [&](const Echo& echo) -> double& {
     return claims_by_echo_[static_cast<std::size_t>(echo.age)][echo.index];
   };
   for (const Echo& echo : echoes_)
-    claim_of(echo) += hypotheses[echo.hypothesis].existence() * echo.weight / std::max(echo.none, 0.05);
+    claim_of(echo) += existence_[echo.hypothesis] * echo.weight / std::max(echo.none, 0.05);
   for (Echo& echo : echoes_) {
-    const double own = hypotheses[echo.hypothesis].existence() * echo.weight / std::max(echo.none, 0.05);
+    const double own = existence_[echo.hypothesis] * echo.weight / std::max(echo.none, 0.05);
     echo.weight /= 1.0 + std::max(0.0, claim_of(echo) - own);
   }
 }
@@ -188,7 +209,7 @@ void JointClusters::least_squares(const ScanHistory& history, double max_speed, 
       const double seconds = history.seconds_at_age(age);
       for (std::size_t i = first; i < next; ++i) {
         const Echo& echo = echoes_[i];
-        const double c = std::cos(echo.azimuth), s = std::sin(echo.azimuth);
+        const double c = echo.direction.x(), s = echo.direction.y();
         const double membership = echo.weight / total;
         step.add({c, s, c * seconds, s * seconds}, echo.range_residual,
                  membership / (range_sigma * range_sigma));
@@ -228,11 +249,10 @@ void JointClusters::score(const ScanHistory& history, int window_scans, const Cl
     // A target may have come since: its log-likelihood ratio cannot stay below that of a birth.
     for (double& sum : sum_) sum = age == 0 ? sum : std::max(sum, prior.log_birth());
   }
-  const double log_volume = 2.0 * std::log(2.0 * std::numbers::pi) + prior.log_density(history.newest());
+  const double log_density = prior.log_density(history.newest());
   for (std::size_t k = 0; k < hypotheses.size(); ++k) {
     hypotheses[k].score = sum_[k];
-    // Laplace: the peak's height times the volume below it, times the prior density.
-    hypotheses[k].log_odds = sum_[k] + log_volume + 0.5 * log_determinant(hypotheses[k].covariance);
+    hypotheses[k].log_odds = laplace_log_odds(sum_[k], hypotheses[k].covariance, log_density);
   }
 }
 

@@ -19,6 +19,10 @@ struct JointClusterParams {
   double delete_below = -12.0;  ///< Clusters with lower log odds of existence are deleted [nats].
 };
 
+/// Log odds of existence of a peak by Laplace's approximation: its height (log-likelihood ratio) times the
+/// volume below it times the prior density, e^`log_density` targets per m^2 and (m/s)^2 [nats].
+double laplace_log_odds(double log_ratio, const Eigen::Matrix4d& covariance, double log_density);
+
 /// Turns seeds into trajectories with covariance: memberships of the echoes (to a cluster, to its rivals, to
 /// the noise class), weighted least squares, combination of clusters that agree, deletion of weak ones.
 /// Keeps its buffers.
@@ -41,18 +45,22 @@ class JointClusters {
 
  private:
   struct Echo {
-    std::size_t hypothesis;
-    int age;
-    std::size_t index;  // Of the slot or the detection.
-    double weight;      // Likelihood of being this hypothesis's, before its rivals are asked.
-    double none;        // Likelihood that it has no echo here.
-    double range_residual, bearing_residual;  // [m], [rad].
-    double range, azimuth;                    // Of the prediction [m], [rad].
+    std::size_t hypothesis = 0;
+    int age = 0;
+    std::size_t index = 0;            // Of the slot or the detection.
+    double weight = 0.0;              // Likelihood of being this hypothesis's, before its rivals are asked.
+    double none = 0.0;                // Likelihood that it has no echo here.
+    double range_residual = 0.0;      // [m].
+    double bearing_residual = 0.0;    // [rad].
+    double range = 0.0;               // Of the prediction [m].
+    double bearing = 0.0;             // Of the prediction, from the scan's axis [rad].
+    Eigen::Vector2d direction{1, 0};  // To the prediction, a unit vector.
   };
   struct Step;
 
   void find_echoes(const ScanHistory& history, int window, const ClaimSet& claims, const Tolerance& tolerance,
                    std::span<const TargetHypothesis> hypotheses);
+  static void predict(const ScanTable& scan, const Eigen::Vector4d& state, double seconds, Echo& echo);
   void beam_echoes(const ScanTable& scan, const BeamMask* mask, const Tolerance& tolerance, Echo echo);
   void point_echoes(const ScanTable& scan, const BeamMask* mask, const Tolerance& tolerance, Echo echo);
   void let_rivals_share(const ScanHistory& history, int window, std::span<const TargetHypothesis> hypotheses);
@@ -62,6 +70,7 @@ class JointClusters {
   std::vector<Echo> echoes_;
   std::vector<std::vector<double>> claims_by_echo_;  ///< Per age and slot: sum of existence x likelihood.
   std::vector<double> north_, east_, north_velocity_, east_velocity_, sum_;
+  std::vector<double> existence_;
   std::vector<TargetHypothesis> before_;
 };
 

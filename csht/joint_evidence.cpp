@@ -46,6 +46,21 @@ const Eigen::Vector4d kLeastVariance(1e-4, 1e-4, 1e-4, 1e-4);
 constexpr double kCooling = 0.7;     // Factor on the power of the weights per step of flattening.
 constexpr double kLeastHeat = 0.02;  // Below it the weights are as good as flat.
 
+constexpr int kScansPerLogarithm = 16;  // A ratio is e^-8 to e^12: to the power 16, far inside a double.
+
+// A product of 1 that stands for `log_ratio`, and the births of a scan in its unit.
+void start_product(double log_birth, std::span<const double> log_ratio, std::span<double> birth,
+                   std::span<double> product) {
+  for (std::size_t i = 0; i < product.size(); ++i) {
+    product[i] = 1.0;
+    birth[i] = std::exp(log_birth - log_ratio[i]);
+  }
+}
+
+void take_logarithm(std::span<const double> product, std::span<double> log_ratio) {
+  for (std::size_t i = 0; i < product.size(); ++i) log_ratio[i] += std::log(product[i]);
+}
+
 double blend(double from, double to, int stage, int stages) {
   return stages == 1 ? to : from + (to - from) * stage / (stages - 1);
 }
@@ -54,9 +69,8 @@ double blend(double from, double to, int stage, int stages) {
 
 bool in_view(const ScanTable& scan, const Eigen::Vector2d& p_earth) {
   const double dn = p_earth.x() - scan.T_earth_sonar.north, de = p_earth.y() - scan.T_earth_sonar.east;
-  const double x = scan.cos_axis * dn + scan.sin_axis * de, y = scan.cos_axis * de - scan.sin_axis * dn;
-  const float bearing = fast_atan2(static_cast<float>(y), static_cast<float>(x));
-  return dn * dn + de * de <= scan.max_range * scan.max_range && std::abs(bearing) <= scan.half_sector;
+  const double square = dn * dn + de * de, ahead = scan.cos_axis * dn + scan.sin_axis * de;
+  return square <= scan.max_range * scan.max_range && ahead >= scan.cos_half_sector * std::sqrt(square);
 }
 
 JointEvidence::JointEvidence(const JointEvidenceParams& params)
@@ -74,8 +88,8 @@ JointEvidence::JointEvidence(const JointEvidenceParams& params)
   require(params.wide_share > 0.0 && params.wide_share < 1.0, "wide_share must be in (0, 1)",
           params.wide_share);
   const auto size = static_cast<std::size_t>(std::max(params.samples, params.verdict_samples));
-  for (auto* values :
-       {&north_, &east_, &north_velocity_, &east_velocity_, &log_proposal_, &log_ratio_, &weight_})
+  for (auto* values : {&north_, &east_, &north_velocity_, &east_velocity_, &log_proposal_, &log_ratio_,
+                       &weight_, &product_, &birth_})
     values->resize(size);
 }
 
@@ -87,15 +101,17 @@ void JointEvidence::evaluate(const ScanHistory& history, int window_scans, const
     const Tolerance tolerance{
         blend(params_.first.sigma_scale, params_.last.sigma_scale, stage, params_.stages),
         blend(params_.first.edge_softness, params_.last.edge_softness, stage, params_.stages)};
-    propose(hypothesis, params_.samples, random);
+    const int samples = stage + 1 < params_.stages ? params_.screen_samples : params_.samples;
+    propose(hypothesis, samples, random);
     drop_impossible(history, window_scans, prior);
     weigh(history, window_scans, claims, prior, tolerance);
     hypothesis.log_odds = log_evidence() + prior.log_density(history.newest());
     if (!(hypothesis.log_odds > params_.hopeless)) return;
-    flatten(params_.adapt_share * params_.samples);
+    flatten(params_.adapt_share * samples);
     moments(hypothesis);
   }
   resample(random, hypothesis);
+  hypothesis.sampled = true;
 }
 
 void JointEvidence::decide(const ScanHistory& history, int window_scans, const ClaimSet& claims,
@@ -103,7 +119,7 @@ void JointEvidence::decide(const ScanHistory& history, int window_scans, const C
   for (int attempt = 0; attempt < params_.attempts; ++attempt) {
     propose(hypothesis, params_.verdict_samples, random);
     drop_impossible(history, window_scans, prior);
-    weigh(history, window_scans, claims, prior, params_.last);
+    weigh(history, window_scans, claims, prior, params_.verdict);
     hypothesis.log_odds = log_evidence() + prior.log_density(history.newest());
     if (!std::isfinite(hypothesis.log_odds)) return;
     const bool enough = effective_samples_ >= params_.effective;
@@ -112,6 +128,7 @@ void JointEvidence::decide(const ScanHistory& history, int window_scans, const C
     if (enough) break;
   }
   resample(random, hypothesis);
+  hypothesis.sampled = true;
 }
 
 void JointEvidence::propose(const TargetHypothesis& hypothesis, int samples, core::Random& random) {
@@ -119,10 +136,12 @@ void JointEvidence::propose(const TargetHypothesis& hypothesis, int samples, cor
   const Eigen::LLT<Eigen::Matrix4d> factor(hypothesis.covariance);
   const Eigen::Matrix4d root = factor.matrixL();
   const double log_root = std::log(root.diagonal().prod());
-  const double log_normal = -2.0 * std::log(2.0 * std::numbers::pi) - log_root;
   const double narrow = params_.proposal_scale, wide = params_.wide_scale;
-  const double narrow_height = (1.0 - params_.wide_share) / std::pow(narrow, 4);
-  const double wide_height = params_.wide_share / std::pow(wide, 4);
+  const double log_narrow = std::log((1.0 - params_.wide_share) / std::pow(narrow, 4)) -
+                            2.0 * std::log(2.0 * std::numbers::pi) - log_root;
+  // Relative to the narrow part's density, so that one exponential and one logarithm do.
+  const double wide_height = params_.wide_share / (1.0 - params_.wide_share) * std::pow(narrow / wide, 4);
+  const double narrow_fall = 0.5 / (narrow * narrow), wide_gain = narrow_fall - 0.5 / (wide * wide);
   const auto offset = static_cast<std::size_t>(random.index(static_cast<int>(kSequence)));
   const double shift = random.uniform(0.0, 1.0);
   for (std::size_t i = 0; i < count_; ++i) {
@@ -132,8 +151,10 @@ void JointEvidence::propose(const TargetHypothesis& hypothesis, int samples, cor
     const Eigen::Vector4d z = (is_wide ? wide : narrow) * normal_[(offset + i) % kSequence];
     const Eigen::Vector4d state = hypothesis.mean + root.triangularView<Eigen::Lower>() * z;
     const double square = z.squaredNorm();
-    log_proposal_[i] = log_normal + std::log(narrow_height * std::exp(-0.5 * square / (narrow * narrow)) +
-                                             wide_height * std::exp(-0.5 * square / (wide * wide)));
+    const double wide_part =
+        wide_height * static_cast<double>(fast_exp(static_cast<float>(wide_gain * square)));
+    log_proposal_[i] = log_narrow - narrow_fall * square +
+                       static_cast<double>(fast_log(static_cast<float>(1.0 + wide_part)));
     north_[i] = state[0];
     east_[i] = state[1];
     north_velocity_[i] = state[2];
@@ -156,19 +177,24 @@ void JointEvidence::drop_impossible(const ScanHistory& history, int window_scans
 }
 
 // From the oldest scan on, so that births within the window add as they come: the sum over all starts.
+// Ratios multiply; a logarithm is taken once in several scans, before the product can leave the exponent.
 void JointEvidence::weigh(const ScanHistory& history, int window_scans, const ClaimSet& claims,
                           const TrajectoryPrior& prior, const Tolerance& tolerance) {
-  const auto first = [this](const std::vector<double>& values) { return std::span(values.data(), count_); };
-  const std::span<double> sum(log_ratio_.data(), count_);
+  const auto first = [this](std::vector<double>& values) { return std::span(values.data(), count_); };
+  const HypothesisSpan hypotheses{first(north_), first(east_), first(north_velocity_), first(east_velocity_)};
+  const std::span<double> log_ratio = first(log_ratio_), product = first(product_), birth = first(birth_);
   const int window = std::min(window_scans, history.size());
-  std::fill(sum.begin(), sum.end(), 0.0);
+  std::fill(log_ratio.begin(), log_ratio.end(), 0.0);
   for (int age = window - 1; age >= 0; --age) {
-    add_log_ratio(history.at_age(age), claims.at_age(age),
-                  {first(north_), first(east_), first(north_velocity_), first(east_velocity_)},
-                  history.seconds_at_age(age), tolerance, sum);
-    if (age == 0 || !std::isfinite(prior.log_birth())) continue;
-    add_births(prior.log_birth(), sum);
+    if ((window - 1 - age) % kScansPerLogarithm == 0)
+      start_product(prior.log_birth(), log_ratio, birth, product);
+    multiply_by_ratio(history.at_age(age), claims.at_age(age), hypotheses, history.seconds_at_age(age),
+                      tolerance, product);
+    if (age == 0) break;
+    for (std::size_t i = 0; i < count_; ++i) product[i] += birth[i];
+    if ((window - age) % kScansPerLogarithm == 0) take_logarithm(product, log_ratio);
   }
+  take_logarithm(product, log_ratio);
 }
 
 double JointEvidence::log_evidence() {

@@ -15,18 +15,20 @@ bool in_view(const ScanTable& scan, const Eigen::Vector2d& p_earth);
 
 /// Adaptive importance sampling of one trajectory.
 struct JointEvidenceParams {
-  int samples = 160;          ///< Per stage, >= 32.
-  int stages = 3;             ///< Stages of a candidate that stays hopeful, >= 1; the last one counts.
+  int samples = 160;        ///< Per stage, >= 32.
+  int screen_samples = 64;  ///< Of the first of several stages, which most candidates do not survive, >= 32.
+  int stages = 3;           ///< Stages of a candidate that stays hopeful, >= 1; the last one counts.
   Tolerance first{1.2, 0.5};  ///< Of the first stage; the last stage has `last`.
   Tolerance last{1.0, 0.04};
-  double proposal_scale = 1.1;  ///< The proposal's sigma over the estimated one, > 0.
-  double wide_scale = 2.2;      ///< That of the wide part of the proposal, > proposal_scale.
-  double wide_share = 0.125;    ///< Share of samples in the wide part, in (0, 1).
-  double adapt_share = 0.1;     ///< Least share of samples that adapt the proposal, in (0, 1).
-  int verdict_samples = 480;    ///< Of the last word on a target, >= 32.
-  double effective = 20.0;      ///< Effective samples that a verdict must rest on, > 0 ...
-  int attempts = 3;             ///< ... or this many attempts, each with the proposal of the last, >= 1.
-  double hopeless = -8.0;       ///< After its first stage a candidate below these log odds is left [nats].
+  Tolerance verdict{1.0, 0.01};  ///< Of the verdict, which has the samples for sharper edges.
+  double proposal_scale = 1.1;   ///< The proposal's sigma over the estimated one, > 0.
+  double wide_scale = 2.2;       ///< That of the wide part of the proposal, > proposal_scale.
+  double wide_share = 0.125;     ///< Share of samples in the wide part, in (0, 1).
+  double adapt_share = 0.1;      ///< Least share of samples that adapt the proposal, in (0, 1).
+  int verdict_samples = 480;     ///< Of the last word on a target, >= 32.
+  double effective = 20.0;       ///< Effective samples that a verdict must rest on, > 0 ...
+  int attempts = 3;              ///< ... or this many attempts, each with the proposal of the last, >= 1.
+  double hopeless = -8.0;        ///< After its first stage a candidate below these log odds is left [nats].
 };
 
 /// Evidence, mean and covariance of a candidate under the exact likelihood.
@@ -64,7 +66,8 @@ class JointEvidence {
   std::vector<Eigen::Vector4d> normal_;  ///< A fixed sequence of low discrepancy, standard normal.
   std::vector<double> north_, east_, north_velocity_, east_velocity_;
   std::vector<double> log_proposal_, log_ratio_, weight_;
-  std::size_t count_ = 0;  ///< Samples of the stage at hand.
+  std::vector<double> product_, birth_;  ///< Of likelihood ratios; of births beside it.
+  std::size_t count_ = 0;                ///< Samples of the stage at hand.
   double effective_samples_ = 0.0;
 };
 

@@ -16,7 +16,6 @@ JointSearch::JointSearch(const JointSearchParams& params)
   const auto size = static_cast<std::size_t>(params.pool + params.seeds.keep);
   candidates_.reserve(2 * size);
   targets_.reserve(size);
-  previous_.reserve(size);
   fresh_.reserve(size);
 }
 
@@ -25,7 +24,7 @@ std::span<const TargetHypothesis> JointSearch::update(const ScanHistory& history
   const int window = std::min(window_scans, history.size());
   move_to_newest(history);
   claims_ = known;
-  keep_targets(history, window, random);
+  claim_for_targets(history);
   add_seeds(history, window);
   choose(history, window, random);
   estimate_again(history, window, known, random);
@@ -51,28 +50,21 @@ void JointSearch::move_to_newest(const ScanHistory& history) {
   for (auto& target : targets_) advance(seconds, target);
 }
 
-// The targets of the last scan are weighed first, the surest one first, and claim their beams again.
-void JointSearch::keep_targets(const ScanHistory& history, int window, core::Random& random) {
-  std::swap(previous_, targets_);
-  targets_.clear();
-  for (auto& target : previous_) {
-    evidence_.evaluate(history, window, claims_, prior_, 2, random, target);
-    if (target.log_odds > params_.accept_above) {
-      claims_.claim(history, target.samples, target.existence());
-      targets_.push_back(target);
-    } else {
-      candidates_.push_back(target);
-    }
-  }
+// The targets of the last scan own their beams of this one too, until all are decided anew.
+void JointSearch::claim_for_targets(const ScanHistory& history) {
+  for (const auto& target : targets_) claims_.claim(history, target.samples, target.existence());
 }
 
 void JointSearch::add_seeds(const ScanHistory& history, int window) {
   seeds_found_ = seeds_.find(history, window, claims_);
   fresh_.clear();
+  const double log_density = prior_.log_density(history.newest());
   for (const Seed& seed : seeds_found_) {
+    const Eigen::Matrix4d covariance = covariance_of(seed, history);
+    if (!(laplace_log_odds(seed.score, covariance, log_density) > params_.cluster_above)) continue;
     fresh_.emplace_back();
     fresh_.back().mean = seed.state;
-    fresh_.back().covariance = covariance_of(seed, history);
+    fresh_.back().covariance = covariance;
   }
   clusters_.refine(history, window, claims_, prior_, fresh_);
   clusters_.score(history, window, claims_, prior_, candidates_);
@@ -94,19 +86,25 @@ void JointSearch::choose(const ScanHistory& history, int window, core::Random& r
   }
 }
 
-// Sampling is dear: only those with hope, and of those only the ones whose beams have been claimed since.
+// Sampling is dear: only those with hope, and of those only the ones for which a scan or a claim has come
+// since. One that was sampled before has gained since as much as its score has, more or less.
 void JointSearch::weigh_candidates(const ScanHistory& history, int window, core::Random& random) {
   clusters_.score(history, window, claims_, prior_, candidates_);
   for (auto& candidate : candidates_) {
-    if (candidate.score == candidate.sampled_score) continue;
-    if (candidate.log_odds > params_.evaluate_above)
-      evidence_.evaluate(history, window, claims_, prior_, evidence_.stages(), random, candidate);
-    candidate.sampled_log_odds = candidate.log_odds;
+    if (candidate.score == candidate.weighed_score) continue;
+    const double hope = candidate.sampled
+                            ? candidate.weighed_log_odds + candidate.score - candidate.weighed_score
+                            : candidate.log_odds;
+    candidate.log_odds = hope;
+    if (hope > (candidate.sampled ? params_.sample_again_above : params_.evaluate_above))
+      evidence_.evaluate(history, window, claims_, prior_, candidate.sampled ? 1 : evidence_.stages(), random,
+                         candidate);
+    candidate.weighed_log_odds = candidate.log_odds;
   }
   clusters_.score(history, window, claims_, prior_, candidates_);
   for (auto& candidate : candidates_) {
-    candidate.sampled_score = candidate.score;
-    candidate.log_odds = candidate.sampled_log_odds;
+    candidate.weighed_score = candidate.score;
+    candidate.log_odds = candidate.weighed_log_odds;
   }
 }
 

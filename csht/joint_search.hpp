@@ -17,9 +17,12 @@ struct JointSearchParams {
   JointClusterParams clusters;
   JointEvidenceParams evidence;
   TrajectoryPriorParams prior;
-  int pool = 32;                 ///< Candidates remembered from scan to scan, >= 1.
-  double accept_above = 0.0;     ///< Log odds of existence from which a candidate is a target [nats].
-  double evaluate_above = -9.0;  ///< Laplace log odds from which a candidate is worth sampling [nats].
+  int pool = 32;              ///< Candidates remembered from scan to scan, >= 1.
+  double accept_above = 0.0;  ///< Log odds of existence from which a candidate is a target [nats].
+  double cluster_above =
+      -7.0;  ///< Log odds of a seed's best suffix from which it is worth clustering [nats].
+  double evaluate_above = -9.0;      ///< Laplace log odds from which a candidate is worth sampling [nats].
+  double sample_again_above = -4.0;  ///< The same of one sampled before, for what its score gained since.
 };
 
 /// The targets that a window of scans holds beside those already known: seeds, clusters, evidence, and a
@@ -53,7 +56,7 @@ class JointSearch {
 
  private:
   void move_to_newest(const ScanHistory& history);
-  void keep_targets(const ScanHistory& history, int window, core::Random& random);
+  void claim_for_targets(const ScanHistory& history);
   void add_seeds(const ScanHistory& history, int window);
   void weigh_candidates(const ScanHistory& history, int window, core::Random& random);
   void choose(const ScanHistory& history, int window, core::Random& random);
@@ -69,7 +72,7 @@ class JointSearch {
   JointClusters clusters_;
   JointEvidence evidence_;
   std::span<const Seed> seeds_found_;
-  std::vector<TargetHypothesis> candidates_, fresh_, targets_, previous_;
+  std::vector<TargetHypothesis> candidates_, fresh_, targets_;
   ClaimSet claims_;
   std::deque<ClaimSet> others_;  ///< One a depth of `decide_given_others`; references stay valid as it grows.
   std::int64_t utime_ = 0;

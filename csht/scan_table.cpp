@@ -85,6 +85,7 @@ int fill_scan_table(const core::PosedScan& posed, ScanTable& table) {
   table.max_range = scan.max_range;
   table.num_beams = scan.num_beams;
   table.whole_circle = sector > 2.0 * std::numbers::pi - 0.5 * scan.bearing_step;
+  table.cos_half_sector = table.whole_circle ? -1.0 : std::cos(0.5 * sector);
   table.half_sector = static_cast<float>(table.whole_circle ? 2.0 * std::numbers::pi : 0.5 * sector);
   const int left_out = scan_to_detections(posed, 0, table.detections);
   fill_slots(table);

@@ -20,6 +20,7 @@ struct ScanTable {
   double first_bearing = 0.0;             ///< Centre of beam 0 in the sonar frame [rad].
   double bearing_step = 0.0;              ///< [rad].
   double max_range = 0.0;                 ///< [m].
+  double cos_half_sector = 0.0;           ///< Cosine of half the sector; -1 of the whole circle.
   int num_beams = 0;
   bool whole_circle = false;  ///< The sector closes on itself.
   ClutterModel clutter = ClutterModel::exclusive_beam;

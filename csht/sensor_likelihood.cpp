@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "csht/fast_math.hpp"
@@ -18,7 +19,8 @@
 namespace lookout::csht {
 namespace {
 
-constexpr std::size_t kBlock = 64;  // Hypotheses at a time: the block's arrays stay in the first cache.
+constexpr std::size_t kBlock = 64;   // Hypotheses at a time: the block's arrays stay in the first cache.
+constexpr std::size_t kFewNear = 4;  // Fewer than one in so many near an edge are few.
 using Lane = std::array<float, kBlock>;
 
 // A slot's likelihood ratio as loaded for each hypothesis.
@@ -52,7 +54,7 @@ struct Block {
 
 LOOKOUT_VECTOR_CLONES
 void place(const ScanTable& scan, const HypothesisSpan& h, std::size_t first, std::size_t count,
-           double seconds, Block& b) {
+           double seconds, float* range, float* bearing) {
   const double north0 = scan.T_earth_sonar.north, east0 = scan.T_earth_sonar.east;
   const auto c = static_cast<float>(scan.cos_axis), s = static_cast<float>(scan.sin_axis);
   const double* north = h.north.data() + first;
@@ -62,8 +64,8 @@ void place(const ScanTable& scan, const HypothesisSpan& h, std::size_t first, st
   for (std::size_t i = 0; i < count; ++i) {
     const auto dn = static_cast<float>(north[i] + north_velocity[i] * seconds - north0);
     const auto de = static_cast<float>(east[i] + east_velocity[i] * seconds - east0);
-    b.range[i] = std::sqrt(dn * dn + de * de);
-    b.bearing[i] = fast_atan2(c * de - s * dn, c * dn + s * de);
+    range[i] = std::sqrt(dn * dn + de * de);
+    bearing[i] = fast_atan2(c * de - s * dn, c * dn + s * de);
   }
 }
 
@@ -93,64 +95,87 @@ void find_slots(const ScanTable& scan, std::size_t count, Block& b) {
 }
 
 template <bool kMasked>
-void load(const ScanTable& scan, const BeamMask* mask, const std::array<int, kBlock>& slots,
-          std::size_t count, SlotLanes& lanes) {
-  const int last = scan.num_beams + 1;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto slot = static_cast<std::size_t>(std::clamp(slots[i], 0, last));
-    lanes.range[i] = scan.range[slot];
-    lanes.base[i] = scan.base[slot];
-    if constexpr (kMasked) {
-      lanes.mask_range[i] = mask->range[slot];
-      lanes.mask_share[i] = mask->share[slot];
-      lanes.mask_nearer[i] = mask->nearer[slot];
-    }
+inline __attribute__((always_inline)) void load_one(const ScanTable& scan, const BeamMask* mask, int slots,
+                                                    std::size_t i, SlotLanes& lanes) {
+  const auto slot = static_cast<std::size_t>(std::clamp(slots, 0, scan.num_beams + 1));
+  lanes.range[i] = scan.range[slot];
+  lanes.base[i] = scan.base[slot];
+  if constexpr (kMasked) {
+    lanes.mask_range[i] = mask->range[slot];
+    lanes.mask_share[i] = mask->share[slot];
+    lanes.mask_nearer[i] = mask->nearer[slot];
   }
 }
 
+template <bool kMasked>
 inline __attribute__((always_inline)) float slot_ratio(const Shape& shape, const SlotLanes& lanes,
                                                        float range, std::size_t i) {
   const float offset = (range - lanes.range[i]) * shape.inverse_sigma;
-  return lanes.base[i] + shape.gain * fast_exp(-0.5F * offset * offset);
-}
-
-inline __attribute__((always_inline)) float masked(const SlotLanes& lanes, float ratio, float range,
-                                                   std::size_t i) {
+  const float ratio = lanes.base[i] + shape.gain * fast_exp(-0.5F * offset * offset);
+  if constexpr (!kMasked) return ratio;
   const float share = lanes.mask_share[i];
   return range > lanes.mask_range[i] ? share + (1.0F - share) * ratio : ratio * lanes.mask_nearer[i];
 }
 
-inline __attribute__((always_inline)) void accumulate(std::size_t count, const Block& b, double* log_ratio) {
-  for (std::size_t i = 0; i < count; ++i) log_ratio[i] += static_cast<double>(fast_log(b.ratio[i]));
-}
-
-LOOKOUT_VECTOR_CLONES
-void score_free(std::size_t count, Block& b, double* log_ratio) {
+template <bool kMasked>
+inline __attribute__((always_inline)) void score_own(std::size_t count, Block& b) {
   const Shape shape = b.shape;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float own = slot_ratio(shape, b.own, b.range[i], i);
-    const float other = slot_ratio(shape, b.other, b.range[i], i);
-    const float mixed = own + b.weight[i] * (other - own);
-    b.ratio[i] = b.seen[i] > 0.5F ? mixed : 1.0F;
-  }
-  accumulate(count, b, log_ratio);
+  for (std::size_t i = 0; i < count; ++i) b.ratio[i] = slot_ratio<kMasked>(shape, b.own, b.range[i], i);
 }
 
-LOOKOUT_VECTOR_CLONES
-void score_masked(std::size_t count, Block& b, double* log_ratio) {
+template <bool kMasked>
+inline __attribute__((always_inline)) void mix_neighbours(std::size_t count, Block& b) {
   const Shape shape = b.shape;
-  for (std::size_t i = 0; i < count; ++i) {
-    const float own = masked(b.own, slot_ratio(shape, b.own, b.range[i], i), b.range[i], i);
-    const float other = masked(b.other, slot_ratio(shape, b.other, b.range[i], i), b.range[i], i);
-    const float mixed = own + b.weight[i] * (other - own);
-    b.ratio[i] = b.seen[i] > 0.5F ? mixed : 1.0F;
-  }
-  accumulate(count, b, log_ratio);
+  for (std::size_t i = 0; i < count; ++i)
+    b.ratio[i] += b.weight[i] * (slot_ratio<kMasked>(shape, b.other, b.range[i], i) - b.ratio[i]);
 }
 
 LOOKOUT_VECTOR_CLONES
-void score_point(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b,
-                 double* log_ratio) {
+void score_own_free(std::size_t count, Block& b) {
+  score_own<false>(count, b);
+}
+LOOKOUT_VECTOR_CLONES
+void score_own_masked(std::size_t count, Block& b) {
+  score_own<true>(count, b);
+}
+LOOKOUT_VECTOR_CLONES
+void mix_neighbours_free(std::size_t count, Block& b) {
+  mix_neighbours<false>(count, b);
+}
+LOOKOUT_VECTOR_CLONES
+void mix_neighbours_masked(std::size_t count, Block& b) {
+  mix_neighbours<true>(count, b);
+}
+
+LOOKOUT_VECTOR_CLONES
+void forget_unseen(std::size_t count, Block& b) {
+  for (std::size_t i = 0; i < count; ++i) b.ratio[i] = b.seen[i] > 0.5F ? b.ratio[i] : 1.0F;
+}
+
+// Where edges are hardly softened, few hypotheses are near one: those alone are mixed, one by one.
+template <bool kMasked>
+void score_slots(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
+  for (std::size_t i = 0; i < count; ++i) load_one<kMasked>(scan, mask, b.slot[i], i, b.own);
+  kMasked ? score_own_masked(count, b) : score_own_free(count, b);
+  std::array<std::uint8_t, kBlock> near;
+  std::size_t num_near = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    near[num_near] = static_cast<std::uint8_t>(i);
+    num_near += b.weight[i] > 0.0F ? 1 : 0;
+  }
+  const bool few = kFewNear * num_near < count;
+  for (std::size_t k = 0; k < (few ? num_near : count); ++k) {
+    const std::size_t i = few ? near[k] : k;
+    load_one<kMasked>(scan, mask, b.neighbour[i], i, b.other);
+    if (!few) continue;
+    b.ratio[i] += b.weight[i] * (slot_ratio<kMasked>(b.shape, b.other, b.range[i], i) - b.ratio[i]);
+  }
+  if (!few) kMasked ? mix_neighbours_masked(count, b) : mix_neighbours_free(count, b);
+  forget_unseen(count, b);
+}
+
+LOOKOUT_VECTOR_CLONES
+void score_point(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
   constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
   const auto max_range = static_cast<float>(scan.max_range);
   for (std::size_t i = 0; i < count; ++i) b.ratio[i] = scan.base[1];
@@ -172,20 +197,41 @@ void score_point(const ScanTable& scan, const BeamMask* mask, std::size_t count,
     const float inside = off <= scan.half_sector ? b.ratio[i] : 1.0F;
     b.ratio[i] = b.range[i] <= max_range ? inside : 1.0F;
   }
-  accumulate(count, b, log_ratio);
 }
 
-void score_beams(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b,
-                 double* log_ratio) {
+void score_beams(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
   find_slots(scan, count, b);
-  if (mask == nullptr) {
-    load<false>(scan, mask, b.slot, count, b.own);
-    load<false>(scan, mask, b.neighbour, count, b.other);
-    score_free(count, b, log_ratio);
-  } else {
-    load<true>(scan, mask, b.slot, count, b.own);
-    load<true>(scan, mask, b.neighbour, count, b.other);
-    score_masked(count, b, log_ratio);
+  if (mask == nullptr)
+    score_slots<false>(scan, mask, count, b);
+  else
+    score_slots<true>(scan, mask, count, b);
+}
+
+LOOKOUT_VECTOR_CLONES
+void add_logs(std::size_t count, const Block& b, double* log_ratio) {
+  for (std::size_t i = 0; i < count; ++i) log_ratio[i] += static_cast<double>(fast_log(b.ratio[i]));
+}
+
+LOOKOUT_VECTOR_CLONES
+void multiply(std::size_t count, const Block& b, double* product) {
+  for (std::size_t i = 0; i < count; ++i) product[i] *= static_cast<double>(b.ratio[i]);
+}
+
+// The ratios of all hypotheses, block by block, each block handed to `use(count, block, first)`.
+template <typename Use>
+void for_each_block(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
+                    double seconds, const Tolerance& tolerance, Use use) {
+  if (mask != nullptr && mask->empty) mask = nullptr;
+  Block block;
+  block.shape = shape_of(scan, tolerance);
+  for (std::size_t first = 0; first < hypotheses.size(); first += kBlock) {
+    const std::size_t count = std::min(kBlock, hypotheses.size() - first);
+    place(scan, hypotheses, first, count, seconds, block.range.data(), block.bearing.data());
+    if (scan.clutter == ClutterModel::point)
+      score_point(scan, mask, count, block);
+    else
+      score_beams(scan, mask, count, block);
+    use(count, block, first);
   }
 }
 
@@ -226,19 +272,25 @@ double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, const Shap
 
 }  // namespace
 
+void locate(const ScanTable& scan, const HypothesisSpan& hypotheses, double seconds, std::span<float> range,
+            std::span<float> bearing) {
+  place(scan, hypotheses, 0, hypotheses.size(), seconds, range.data(), bearing.data());
+}
+
 void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
                    double seconds, const Tolerance& tolerance, std::span<double> log_ratio) {
-  if (mask != nullptr && mask->empty) mask = nullptr;
-  Block block;
-  block.shape = shape_of(scan, tolerance);
-  for (std::size_t first = 0; first < hypotheses.size(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, hypotheses.size() - first);
-    place(scan, hypotheses, first, count, seconds, block);
-    if (scan.clutter == ClutterModel::point)
-      score_point(scan, mask, count, block, log_ratio.data() + first);
-    else
-      score_beams(scan, mask, count, block, log_ratio.data() + first);
-  }
+  for_each_block(scan, mask, hypotheses, seconds, tolerance,
+                 [&](std::size_t count, const Block& block, std::size_t first) {
+                   add_logs(count, block, log_ratio.data() + first);
+                 });
+}
+
+void multiply_by_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
+                       double seconds, const Tolerance& tolerance, std::span<double> product) {
+  for_each_block(scan, mask, hypotheses, seconds, tolerance,
+                 [&](std::size_t count, const Block& block, std::size_t first) {
+                   multiply(count, block, product.data() + first);
+                 });
 }
 
 LOOKOUT_VECTOR_CLONES

@@ -17,6 +17,11 @@ struct HypothesisSpan {
   std::size_t size() const { return north.size(); }
 };
 
+/// Where each hypothesis, moved by `seconds` along its velocity, is seen from a scan: range [m], and bearing
+/// from the scan's axis [rad]. Vectorised; single precision.
+void locate(const ScanTable& scan, const HypothesisSpan& hypotheses, double seconds, std::span<float> range,
+            std::span<float> bearing);
+
 /// How much wider than the sensor's own errors a hypothesis may miss. A search starts wide; the verdict is
 /// exact.
 struct Tolerance {
@@ -32,6 +37,11 @@ struct Tolerance {
 /// @param mask what other targets own of this scan; null or empty: nothing.
 void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
                    double seconds, const Tolerance& tolerance, std::span<double> log_ratio);
+
+/// The same as a factor on `product[i]`: without logarithms, for runs of scans short enough that the product
+/// neither overflows nor vanishes.
+void multiply_by_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,
+                       double seconds, const Tolerance& tolerance, std::span<double> product);
 
 /// ln(e^log_ratio + e^log_birth) for each hypothesis: targets that appear now join those that were there.
 void add_births(double log_birth, std::span<double> log_ratio);

@@ -2,6 +2,10 @@
 // its growth with the window and with the false alarms.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
+#include <vector>
+
 #include "csht/estimator_registry.hpp"
 #include "sonar_sim/scene.hpp"
 #include "tools/experiments/simulated_run.hpp"
@@ -22,12 +26,21 @@ void stream(benchmark::State& state, const char* name, double probability_of_fal
       csht::make_estimator(name, params, sonar_sim::known_params(scene, scene.platforms.front()), 1);
   std::size_t next = 0;
   for (; next < static_cast<std::size_t>(window_scans); ++next) estimator->update(scans[next].posed);
+  std::vector<double> times_ms;
   for (auto _ : state) {
-    if (next == scans.size())
+    if (next == scans.size()) {
       state.SkipWithError("the scene is over: ask for fewer iterations");
-    else
-      benchmark::DoNotOptimize(estimator->update(scans[next++].posed).size());
+      break;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    benchmark::DoNotOptimize(estimator->update(scans[next++].posed).size());
+    times_ms.push_back(
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
   }
+  if (times_ms.empty()) return;
+  std::sort(times_ms.begin(), times_ms.end());
+  state.counters["median_ms"] = times_ms[times_ms.size() / 2];
+  state.counters["p99_ms"] = times_ms[times_ms.size() * 99 / 100];
 }
 
 constexpr int kScans = 120;

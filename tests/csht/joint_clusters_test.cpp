@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "tests/csht/joint_scenes.hpp"
@@ -21,6 +22,13 @@ TargetHypothesis start(double position_error, double velocity_error) {
   hypothesis.mean += Eigen::Vector4d(position_error, 0, velocity_error, 0);
   hypothesis.covariance = Eigen::Vector4d(9, 9, 1, 1).asDiagonal();
   return hypothesis;
+}
+
+// The integral of a Gaussian peak is its height times (2 pi)^2 sqrt(det).
+TEST(JointClusters, LaplaceIsTheIntegralOfAGaussian) {
+  const Eigen::Matrix4d covariance = Eigen::Vector4d(4.0, 4.0, 1.0, 1.0).asDiagonal();
+  const double integral = std::exp(3.0) * 4.0 * std::numbers::pi * std::numbers::pi * 4.0;
+  EXPECT_NEAR(laplace_log_odds(3.0, covariance, std::log(0.01)), std::log(integral * 0.01), 1e-12);
 }
 
 TEST(JointClusters, LeastSquaresFollowsTheEchoes) {

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "csht/joint_clusters.hpp"
 #include "tests/csht/joint_scenes.hpp"
 
 namespace lookout::csht {
@@ -48,6 +49,53 @@ TEST(JointEvidence, FewSamplesAgreeWithMany) {
     // The error of a log evidence is about 1 / sqrt(effective samples); three of those.
     EXPECT_NEAR(few.hypothesis.log_odds, many.hypothesis.log_odds, 3.0 / std::sqrt(few.effective));
   }
+}
+
+// The verdict's sharper edges leave fewer samples that count; they still agree with very many.
+TEST(JointEvidence, TheVerdictAgreesWithMany) {
+  const auto history =
+      testing::history_of(testing::noisy_scans({kCourse}, 20, 9, 1004), testing::noisy_figures());
+  ClaimSet claims;
+  claims.clear(history, 20);
+  const TrajectoryPrior prior({.interior_birth_rate = 0.0, .max_speed = 5.0});
+  const auto decide = [&](int samples, std::uint64_t seed) {
+    JointEvidence evidence({.verdict_samples = samples});
+    core::Random random(seed);
+    Found found{evaluate(history, 160, 0.0, seed).hypothesis, 0.0};
+    evidence.decide(history, 20, claims, prior, random, found.hypothesis);
+    found.effective = evidence.effective_samples();
+    return found;
+  };
+  const Found many = decide(50000, 1);
+  const int verdict_samples = JointEvidenceParams{}.verdict_samples;
+  for (std::uint64_t seed = 2; seed < 8; ++seed) {
+    const Found few = decide(verdict_samples, seed);
+    EXPECT_NEAR(few.hypothesis.log_odds, many.hypothesis.log_odds, 3.0 / std::sqrt(few.effective));
+  }
+}
+
+// Forty scans are more than one product holds. A narrow peak's evidence is near Laplace's, and births change
+// little of a target that was there from the first scan.
+TEST(JointEvidence, LongWindowsKeepTheirEvidence) {
+  const auto history =
+      testing::history_of(testing::noisy_scans({kCourse}, 40, 9, 1005), testing::noisy_figures());
+  ClaimSet claims;
+  claims.clear(history, 40);
+  std::vector<TargetHypothesis> peak{start()};
+  peak[0].mean << kCourse.at(19.5), kCourse.velocity;
+  const TrajectoryPrior prior({.interior_birth_rate = 0.0, .max_speed = 5.0});
+  JointClusters({}).refine(history, 40, claims, prior, peak);
+  const auto sampled = [&](double birth_rate) {
+    JointEvidence evidence({.samples = 4000});
+    core::Random random(5);
+    TargetHypothesis hypothesis = peak[0];
+    evidence.evaluate(history, 40, claims,
+                      TrajectoryPrior({.interior_birth_rate = birth_rate, .max_speed = 5.0}), 3, random,
+                      hypothesis);
+    return hypothesis.log_odds;
+  };
+  EXPECT_NEAR(sampled(0.0), peak[0].log_odds, 3.0);
+  EXPECT_NEAR(sampled(0.001), sampled(0.0), 0.2);
 }
 
 // One silent scan, and a cloud of hypotheses in view: the evidence is P_M / (1 - P_F) times the prior mass

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -120,14 +122,41 @@ TEST_P(FastAgainstPlain, AgreesEverywhere) {
     north[i] = random.uniform(-160, 160), east[i] = random.uniform(-160, 160);
     vn[i] = random.uniform(-5, 5), ve[i] = random.uniform(-5, 5);
   }
-  add_log_ratio(table, &mask, {north, east, vn, ve}, -3.0, {}, fast);
-  add_log_ratio(table, nullptr, {north, east, vn, ve}, -3.0, {}, free);
-  for (std::size_t i = 0; i < 1000; ++i) {
-    const Eigen::Vector2d p_earth(north[i] - 3 * vn[i], east[i] - 3 * ve[i]);
-    // Single precision of the ranges, and 1e-6 rad of the angle, at an edge 1/0.2 beams wide.
-    EXPECT_NEAR(fast[i], log_ratio(table, &mask, p_earth), 2e-2) << p_earth.transpose();
-    EXPECT_NEAR(free[i], log_ratio(table, nullptr, p_earth), 2e-2) << p_earth.transpose();
+  // Few hypotheses are near an edge softened over .02 of a beam, most near one softened over half: two ways.
+  for (const double softness : {0.02, 0.1, 0.5}) {
+    const Tolerance tolerance{1.0, softness};
+    std::fill(fast.begin(), fast.end(), 0.0);
+    std::fill(free.begin(), free.end(), 0.0);
+    add_log_ratio(table, &mask, {north, east, vn, ve}, -3.0, tolerance, fast);
+    add_log_ratio(table, nullptr, {north, east, vn, ve}, -3.0, tolerance, free);
+    for (std::size_t i = 0; i < 1000; ++i) {
+      const Eigen::Vector2d p_earth(north[i] - 3 * vn[i], east[i] - 3 * ve[i]);
+      // Single precision of the ranges, and 1e-6 rad of the angle, at an edge 2 x softness beams wide.
+      EXPECT_NEAR(fast[i], log_ratio(table, &mask, p_earth, tolerance), 2e-2) << p_earth.transpose();
+      EXPECT_NEAR(free[i], log_ratio(table, nullptr, p_earth, tolerance), 2e-2) << p_earth.transpose();
+    }
   }
+}
+
+TEST_P(FastAgainstPlain, ProductsAreTheSumsOfLogarithms) {
+  core::Random random(1002);
+  const auto table = table_of(random_returns(random), GetParam());
+  std::vector<double> north(100), east(100), velocity(100, 0.0), product(100, 2.0), sum(100, std::log(2.0));
+  for (std::size_t i = 0; i < 100; ++i) north[i] = random.uniform(0, 160), east[i] = random.uniform(-80, 80);
+  multiply_by_ratio(table, nullptr, {north, east, velocity, velocity}, 0.0, {}, product);
+  add_log_ratio(table, nullptr, {north, east, velocity, velocity}, 0.0, {}, sum);
+  for (std::size_t i = 0; i < 100; ++i) EXPECT_NEAR(std::log(product[i]), sum[i], 1e-5);
+}
+
+TEST(SensorLikelihood, LocatesFromTheScansAxis) {
+  const auto table = table_of({}, ClutterModel::exclusive_beam, {10.0, 0.0, core::radians(90.0)});
+  const std::vector<double> north{10.0, 13.0}, east{50.0, 4.0}, rate{0.0, 1.0}, zero{0.0, 0.0};
+  std::array<float, 2> range{}, bearing{};
+  locate(table, {north, east, rate, zero}, -3.0, range, bearing);
+  EXPECT_NEAR(range[0], 50.0, 1e-4);  // Due east, along the axis.
+  EXPECT_NEAR(bearing[0], 0.0, 1e-6);
+  EXPECT_NEAR(range[1], 4.0, 1e-4);  // Three seconds ago at (10, 4).
+  EXPECT_NEAR(bearing[1], 0.0, 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, FastAgainstPlain,
