@@ -1,7 +1,5 @@
 #include "tools/experiments/csht_window.hpp"
 
-#include <Eigen/Cholesky>
-#include <algorithm>
 #include <chrono>
 
 #include "core/csv.hpp"
@@ -11,6 +9,7 @@
 #include "sonar_sim/scene.hpp"
 #include "tools/experiments/joint_window.hpp"
 #include "tools/experiments/least_squares_reference.hpp"
+#include "tools/experiments/nees.hpp"
 #include "tools/experiments/paper_figures.hpp"
 #include "tools/experiments/sensor_knowledge.hpp"
 #include "tools/experiments/simulated_run.hpp"
@@ -136,22 +135,6 @@ std::vector<Cell> CshtWindow::cells() const {
   return cells;
 }
 
-/// Mean over the targets of the squared error in units of the reported covariance, over its 4 degrees; of a
-/// window with the right count, each element against the target nearest to it.
-double mean_nees(const core::GroundTruth& truth, const std::vector<core::MotionElement>& elements) {
-  double sum = 0.0;
-  for (const auto& element : elements) {
-    const auto nearest =
-        std::min_element(truth.targets.begin(), truth.targets.end(), [&](const auto& a, const auto& b) {
-          return (a.position - element.position).norm() < (b.position - element.position).norm();
-        });
-    Eigen::Vector4d error;
-    error << element.position - nearest->position, element.velocity - nearest->velocity;
-    sum += error.dot(element.covariance.llt().solve(error)) / 4.0;
-  }
-  return sum / static_cast<double>(elements.size());
-}
-
 /// The window's scans through the estimator; its answer to the newest, and what that one took.
 struct Answer {
   std::vector<core::MotionElement> elements;
@@ -178,7 +161,8 @@ Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
   params.use = csht::EstimatorUse::window;
   params.window_scans = static_cast<int>(p.number("window_scans"));
   auto scene = load_variant(kScene, variant);
-  scene.duration = params.window_scans * scene.platforms.front().sonar.params.scan_period;
+  begin_earlier(params.window_scans * scene.platforms.front().sonar.params.scan_period - scene.duration,
+                scene);
   const auto scans = simulate(scene, seed, run);
   const auto sonar = told_params(scene, variant, p.text("sensor_figures"), seed, run);
   params.first_estimate_scans = params.window_scans;

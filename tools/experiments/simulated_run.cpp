@@ -61,6 +61,19 @@ sonar_sim::Scene load_variant(const std::string& scene_file, const SceneVariant&
   return scene;
 }
 
+void begin_earlier(double seconds, sonar_sim::Scene& scene) {
+  const auto& vehicle = scene.platforms.front().vehicle;
+  bool straight = scene.platforms.size() == 1 && vehicle.waypoints.empty() && vehicle.yaw_swing == 0.0;
+  for (const auto& target : scene.targets)
+    straight = straight && target.turn_rate == 0.0 && target.acceleration == 0.0 && target.appear <= 0.0;
+  if (!straight)
+    throw std::invalid_argument("begin_earlier needs one vehicle and targets that move straight throughout");
+  scene.duration += seconds;
+  auto& platform = scene.platforms.front();
+  platform.vehicle.position -= seconds * platform.vehicle.velocity;
+  for (auto& target : scene.targets) target.position -= seconds * target.velocity;
+}
+
 sonar_sim::ClutterReading clutter_reading(const std::string& name) {
   if (name == "literal") return sonar_sim::ClutterReading::literal;
   if (name == "light") return sonar_sim::ClutterReading::light;

@@ -31,6 +31,27 @@ TEST(SimulatedRun, TheIntakePosesTheSameScans) {
   }
 }
 
+// The course of Table 2's first target and of the vehicle: the same at the end, longer at the beginning.
+TEST(SimulatedRun, ASceneBegunEarlierEndsAsItWas) {
+  const auto scene = load_variant("window_table2.yaml", {0.1, 0.5, 2.0, sonar_sim::ClutterReading::literal});
+  auto longer = scene;
+  begin_earlier(20.0, longer);
+  const auto scans = simulate(scene, 1, 0), longer_scans = simulate(longer, 1, 0);
+  ASSERT_EQ(longer_scans.size(), 60u);
+  for (const auto& timed : longer_scans)
+    for (const auto& target : timed.truth.targets) EXPECT_TRUE(target.visible);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_TRUE(
+        longer_scans.back().truth.targets[k].position.isApprox(scans.back().truth.targets[k].position));
+  EXPECT_NEAR(longer_scans.back().posed.T_earth_sonar.north, scans.back().posed.T_earth_sonar.north, 1e-9);
+}
+
+TEST(SimulatedRun, OnlyStraightScenesBeginEarlier) {
+  auto scene = load_variant("window_table2.yaml", {});
+  scene.targets[1].turn_rate = 0.1;
+  EXPECT_THROW(begin_earlier(1.0, scene), std::invalid_argument);
+}
+
 TEST(SimulatedRun, UnknownReadingIsRefused) {
   EXPECT_THROW(clutter_reading("heavy"), std::invalid_argument);
 }
