@@ -31,7 +31,7 @@ void JointEnding::end_lives(JointState& state) const {
 void JointEnding::note_view(JointTrack& track, const JointState& state) const {
   if (track.echo_share > params_.in_view_share) track.last_detection_utime = state.now();
   const bool out = track.visible_share < params_.in_view_share;
-  if (out && !track.out_of_view) track.out_of_view_utime = state.now();
+  if (!out) track.in_view_utime = state.now();
   if (out != track.out_of_view && track.confirmed_once)
     state.decide(track, out ? DecisionKind::coast : DecisionKind::resume, track.log_odds,
                  out ? "left the field of view" : "back in the field of view");
@@ -43,8 +43,8 @@ const char* JointEnding::reason_to_end(const JointTrack& track, const JointState
   if (track.log_odds < least) return "too little evidence left";
   if (!track.out_of_view) return nullptr;
   if (!track.confirmed_once) return "left the field of view unconfirmed";
-  const double out = core::seconds(state.now() - track.out_of_view_utime);
-  return out > params_.coast_s ? "out of view for longer than the coast" : nullptr;
+  const double out = core::seconds(state.now() - track.in_view_utime);
+  return out >= params_.coast_s ? "out of view for longer than the coast" : nullptr;
 }
 
 }  // namespace lookout::tracking

@@ -83,6 +83,8 @@ void JointFilter::refresh(JointTrack& track, JointState& state) {
   task.samples = cloud_.trajectories;
   task.rounds = cloud_.refresh_rounds;
   task.curved = track.cloud.curved;
+  if (task.curved)
+    task.anchor = manoeuvre_.anchor(task.guess, state.scans().seconds_at_age(task.ages.oldest));
   if (track.log_odds >= life_.settled_log_odds && !track.cloud.curved) {
     state.sampler.move(task, state.likelihood, state.random, track.cloud);
     track.claims_are_fresh = false;

@@ -31,6 +31,26 @@ SamplingTask JointManoeuvre::task(const Suspect& suspect, const AgeSpan& ages, b
   return task;
 }
 
+SamplingTask JointManoeuvre::anchored_task(const Suspect& suspect, const AgeSpan& ages, bool curved,
+                                           const csht::ScanHistory& scans) const {
+  SamplingTask result = task(suspect, ages, curved);
+  result.anchor = anchor(suspect.track.moments, scans.seconds_at_age(ages.oldest));
+  return result;
+}
+
+Anchor JointManoeuvre::anchor(const CloudMoments& moments, double seconds) const {
+  Eigen::Matrix<double, 4, 6> back = Eigen::Matrix<double, 4, 6>::Zero();
+  for (int k = 0; k < 2; ++k) {
+    back(k, k) = back(k + 2, k + 2) = 1.0;
+    back(k, k + 2) = back(k + 2, k + 4) = seconds;
+    back(k, k + 4) = 0.5 * seconds * seconds;
+  }
+  Anchor anchor{seconds, back * moments.mean, back * moments.covariance * back.transpose()};
+  anchor.covariance.diagonal().head<2>().array() += params_.position_slack * params_.position_slack;
+  anchor.covariance.diagonal().tail<2>().array() += params_.velocity_slack * params_.velocity_slack;
+  return anchor;
+}
+
 JointManoeuvre::Judgement JointManoeuvre::judge(const Suspect& suspect, JointLikelihood& likelihood,
                                                 JointSampler& sampler, core::Random& random,
                                                 JointCloud& cloud) const {
@@ -62,10 +82,9 @@ JointManoeuvre::Judgement JointManoeuvre::leave_line(const Suspect& suspect, Joi
     judgement.verdict = Verdict::redraw;
     return judgement;
   }
-  const double log_start = -std::log(4.0 * std::numbers::pi * std::numbers::pi) -
-                           2.0 * std::log(params_.position_slack * params_.velocity_slack);
-  const SamplingResult curve = sampler.sample(task(suspect, {0, oldest}, true), likelihood, random, cloud);
-  judgement.evidence = curve.log_evidence + log_start + std::log(params_.prior) - recent.sum(oldest + 1);
+  const SamplingTask bent = anchored_task(suspect, {0, oldest}, true, likelihood.scans());
+  const SamplingResult curve = sampler.sample(bent, likelihood, random, cloud);
+  judgement.evidence = curve.log_evidence + std::log(params_.prior) - recent.sum(oldest + 1);
   const double needed = curve.effective_share > params_.trusted_share ? 0.0 : params_.rough_nats;
   if (judgement.evidence > needed) judgement.verdict = Verdict::curve;
   return judgement;
@@ -90,8 +109,11 @@ JointManoeuvre::Judgement JointManoeuvre::leave_curve(const Suspect& suspect, Jo
   Judgement judgement;
   judgement.oldest = oldest_within(params_.window_s, likelihood.scans());
   const AgeSpan window{0, judgement.oldest};
-  const SamplingResult curve = sampler.sample(task(suspect, window, true), likelihood, random, cloud);
-  const SamplingResult line = sampler.sample(task(suspect, window, false), likelihood, random, cloud);
+  const csht::ScanHistory& scans = likelihood.scans();
+  const SamplingResult curve =
+      sampler.sample(anchored_task(suspect, window, true, scans), likelihood, random, cloud);
+  const SamplingResult line =
+      sampler.sample(anchored_task(suspect, window, false, scans), likelihood, random, cloud);
   judgement.evidence = line.log_evidence - curve.log_evidence;
   if (judgement.evidence > params_.straighten_nats && line.effective_share > params_.trusted_share)
     judgement.verdict = Verdict::straighten;

@@ -23,6 +23,10 @@ class JointManoeuvre {
     int oldest = 0;         ///< Age from which the new model holds.
   };
 
+  /// Where a trajectory that bends was `seconds` (<= 0) from now: about where the track's mean was, give or
+  /// take what a manoeuvre may have led it off.
+  Anchor anchor(const CloudMoments& moments, double seconds) const;
+
   /// A track after its update, as it is judged.
   struct Suspect {
     int slot = 0;
@@ -43,6 +47,8 @@ class JointManoeuvre {
                             core::Random& random, JointCloud& cloud) const;
   bool doubtful(const RecentEvidence& recent, int scans) const;
   SamplingTask task(const Suspect& suspect, const AgeSpan& ages, bool curved) const;
+  SamplingTask anchored_task(const Suspect& suspect, const AgeSpan& ages, bool curved,
+                             const csht::ScanHistory& scans) const;
 
   JointManoeuvreParams params_;
   int trajectories_;

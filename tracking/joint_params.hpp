@@ -77,7 +77,7 @@ struct JointLifeParams {
   double tentative_log_odds = -7.0;  ///< Existence from which a track is kept. docs/tracker.md.
   double end_log_odds = -3.0;        ///< Existence below which a track that was confirmed ends.
   double mean_life_s = 500.0;        ///< Mean time after which a target vanishes in view [s], > 0.
-  double coast_s = 10.0;             ///< How long a track is kept outside the field of view [s], >= 0.
+  double coast_s = 10.0;             ///< How long a track is kept since it was last in view [s], >= 0.
   int max_tracks = 512;              ///< Tracks of any status, >= 1; more are not begun.
   int ready_tracks = 64;             ///< Tracks that memory is kept for from the start, >= 0.
   double twin_distance = 4.0;        ///< Two tracks nearer than this [m] ...
@@ -89,7 +89,7 @@ struct JointLifeParams {
 /// What is reported.
 struct JointReportParams {
   bool report_all = false;  ///< Every track above `min_existence` rather than the set of least expected OSPA.
-  double min_existence = 0.5;       ///< For report_all, in [0, 1].
+  double min_existence = 0.5;       ///< For report_all, and of tracks that coast, in [0, 1].
   double cutoff = 20.0;             ///< Of the OSPA that is minimised [m], > 0.
   int samples = 128;                ///< Target sets drawn to estimate it, >= 1.
   double least_probability = 0.02;  ///< From which a track is weighed for the report, in [0, 1].

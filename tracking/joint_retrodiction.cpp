@@ -28,7 +28,7 @@ bool in_view(const csht::ScanTable& scan, const Eigen::Vector2d& position) {
 
 void JointRetrodiction::retire(const JointTrack& track, std::int64_t utime, double settled_log_odds) {
   if (!track.confirmed_once || track.highest_log_odds < settled_log_odds) return;
-  const std::int64_t last = track.out_of_view ? track.out_of_view_utime : track.last_detection_utime;
+  const std::int64_t last = track.out_of_view ? track.in_view_utime : track.last_detection_utime;
   retired_.push_back(
       {track.id, track.moments, probability(track.highest_log_odds), utime, track.first_utime, last});
 }

@@ -55,6 +55,22 @@ void copy_trajectory(const JointCloud& from, std::size_t i, JointCloud& to, std:
   to.east_acceleration[k] = from.east_acceleration[i];
 }
 
+// Adds ln of the anchor's density at each trajectory.
+void add_anchor(const Anchor& anchor, const JointCloud& cloud, std::span<double> log_weight) {
+  const Eigen::Matrix4d root = anchor.covariance.llt().matrixL();
+  const double log_norm = -root.diagonal().array().log().sum() - 2.0 * std::log(2.0 * std::numbers::pi);
+  const double s = anchor.seconds, half_square = 0.5 * s * s;
+  for (std::size_t i = 0; i < cloud.size(); ++i) {
+    const double an = cloud.north_acceleration[i], ae = cloud.east_acceleration[i];
+    Eigen::Vector4d offset(cloud.north[i] + s * cloud.north_velocity[i] + half_square * an,
+                           cloud.east[i] + s * cloud.east_velocity[i] + half_square * ae,
+                           cloud.north_velocity[i] + s * an, cloud.east_velocity[i] + s * ae);
+    offset -= anchor.mean;
+    root.triangularView<Eigen::Lower>().solveInPlace(offset);
+    log_weight[i] += log_norm - 0.5 * offset.squaredNorm();
+  }
+}
+
 // Equally probable trajectories of `cloud`, as many as there are, by systematic resampling through `spare`.
 void resample(double uniform, JointCloud& cloud, JointCloud& spare) {
   const double size = static_cast<double>(cloud.size());
@@ -162,6 +178,7 @@ void JointSampler::score(const JointCloud& cloud, const CloudMoments::Vector6& m
   std::fill(log_target.begin(), log_target.end(), 0.0);
   likelihood.add(cloud, mean, task.ages, task.self, log_target);
   add_prior(cloud, log_target);
+  if (task.anchor) add_anchor(*task.anchor, cloud, log_target);
 }
 
 void JointSampler::move(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "core/random.hpp"
@@ -9,6 +11,14 @@
 
 namespace lookout::tracking {
 
+/// Where a trajectory was at an earlier time: a Gaussian prior of position and velocity there. Without one,
+/// trajectories that left the field of view before the oldest scan cost nothing and are infinitely many.
+struct Anchor {
+  double seconds = 0.0;  ///< That time, from the newest scan, <= 0.
+  Eigen::Vector4d mean = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Identity();
+};
+
 /// What to sample: trajectories around a first guess, under the scans of these ages.
 struct SamplingTask {
   CloudMoments guess;
@@ -17,6 +27,7 @@ struct SamplingTask {
   int samples = 256;                    ///< A round.
   int rounds = 3;                       ///< Most rounds; later ones propose from the cloud before.
   bool curved = false;                  ///< Accelerations too.
+  std::optional<Anchor> anchor;         ///< Absent: anywhere, with the prior density 1.
   double give_up_below = -1e300;        ///< After the first round, stop where the log evidence is below.
 };
 

@@ -47,7 +47,7 @@ void JointTrack::begin(const Beginning& beginning) {
   recent.clear();
   first_scan = beginning.first_scan;
   first_utime = beginning.first_utime;
-  last_detection_utime = beginning.utime;
+  last_detection_utime = in_view_utime = beginning.utime;
   remembers_birth = true;
   out_of_view = reported = confirmed_once = false;
   has_claims = claims_are_fresh = false;

@@ -42,7 +42,7 @@ struct JointTrack {
   bool remembers_birth = true;  ///< That scan is its first; not so after a manoeuvre.
   std::int64_t first_utime = 0;
   std::int64_t last_detection_utime = 0;
-  std::int64_t out_of_view_utime = 0;  ///< Since when it is outside the field of view, while it is.
+  std::int64_t in_view_utime = 0;  ///< Of the newest scan that had it in view.
   bool out_of_view = false;
   bool reported = false;  ///< Part of the newest report.
   bool confirmed_once = false;

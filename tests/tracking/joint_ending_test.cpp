@@ -67,7 +67,7 @@ TEST(JointEnding, OutOfViewAConfirmedTrackIsKeptForTheCoast) {
     state.likelihood.push(scan_of(scans + 1, {}));
     ending.end_lives(state);
   }
-  EXPECT_EQ(scans, 22);  // Left at the first; kept at 10 s, gone at 10.5 s.
+  EXPECT_EQ(scans, 20);  // In view at 0 s for the last time; kept at 9.5 s, gone at 10 s.
 }
 
 TEST(JointEnding, OutOfViewATentativeTrackEndsAtOnce) {

@@ -57,5 +57,15 @@ TEST(JointOutput, OutOfViewAConfirmedTrackCoasts) {
   EXPECT_EQ(tracks[0].status, core::TrackStatus::coasting);
 }
 
+TEST(JointOutput, OutOfViewADoubtfulTrackDoesNotCount) {
+  JointState state = empty_sea();
+  JointTrack& track = add_track(state, kLine, -0.5);
+  track.confirmed_once = track.out_of_view = true;
+  JointOutput output({}, state.random);
+  const auto tracks = output_of(output, 0.0, state);
+  ASSERT_EQ(tracks.size(), 1U);
+  EXPECT_EQ(tracks[0].status, core::TrackStatus::tentative);
+}
+
 }  // namespace
 }  // namespace lookout::tracking

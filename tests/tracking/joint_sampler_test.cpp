@@ -69,6 +69,26 @@ TEST(JointSampler, GivesUpOnAHopelessGuess) {
   EXPECT_LT(sampler.sample(task, likelihood, random, cloud).log_evidence, 0.0);
 }
 
+// Behind the sonar the scans say nothing: what is left is the anchor's Gaussian, whose integral is 1, moved
+// on for 2 s.
+TEST(JointSampler, AnAnchorHoldsATrajectoryThatNobodySees) {
+  JointLikelihood likelihood = straight_line({});
+  core::Random random(6);
+  JointSampler sampler({}, 3.0, random);
+  SamplingTask task;
+  task.guess.mean << -60.0, 5.0, 0.0, 0.0, 0.0, 0.0;
+  task.guess.covariance.diagonal() << 9.0, 9.0, 0.25, 0.25, 0.0, 0.0;
+  task.ages = {0, 4};
+  task.samples = 4096;
+  task.rounds = 6;
+  task.anchor = Anchor{-2.0, {-60.0, 5.0, 0.0, 0.0}, Eigen::Vector4d(4.0, 4.0, 0.09, 0.09).asDiagonal()};
+  JointCloud cloud;
+  EXPECT_NEAR(sampler.sample(task, likelihood, random, cloud).log_evidence, 0.0, 0.1);
+  const CloudMoments moments = cloud.moments();
+  EXPECT_NEAR(moments.covariance(0, 0), 4.0 + 4.0 * 0.09, 0.6);
+  EXPECT_NEAR(moments.covariance(0, 2), 2.0 * 0.09, 0.06);
+}
+
 TEST(JointSampler, SpeedPriorIsFlatUpToTheLimit) {
   core::Random random(4);
   const JointSampler sampler({}, 3.0, random);
