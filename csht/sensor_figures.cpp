@@ -177,7 +177,9 @@ void SensorFigureEstimator::choose() {
       given_.false_alarm_probability && doubted(*given_.false_alarm_probability, now.false_alarm_probability,
                                                 now.false_alarm_probability_sigma);
   doubts_sigma_ = doubted(given_.range_sigma, now.range_sigma, now.range_sigma_sigma);
-  if (!given_.miss_probability || doubts_miss_) use.miss_probability = now.miss_probability;
+  // False alarms tell in a scan or two, misses after sure targets alone: until then, figures of which one
+  // is wrong are not believed in the other.
+  if (!given_.miss_probability || doubts_miss_ || doubts_false_) use.miss_probability = now.miss_probability;
   if (!given_.false_alarm_probability || doubts_false_)
     use.false_alarm_probability = now.false_alarm_probability;
   if (doubts_sigma_) use.range_sigma = now.range_sigma;

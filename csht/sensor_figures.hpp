@@ -30,7 +30,7 @@ struct SensorFigureParams {
 
 /// P_F, P_M and range sigma from the stream itself: silent and reporting beams that no target owns, echoes
 /// and misses of sure targets, their range residuals. Figures that are given are used until the stream
-/// contradicts them; then the estimate is used, and said so.
+/// contradicts them; then the estimate is used, and said so. Once P_F is contradicted, P_M is estimated too.
 class SensorFigureEstimator {
  public:
   /// @throws std::invalid_argument showing the value that is out of range.

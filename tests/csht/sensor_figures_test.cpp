@@ -64,6 +64,16 @@ TEST(SensorFigures, WrongFiguresAreFoundOutAndReplaced) {
   EXPECT_NEAR(estimator.figures().false_alarm_probability, 0.2, 0.03);
 }
 
+// A given P_M within the doubt of its own estimate, beside a P_F that ninety beams a scan contradict.
+TEST(SensorFigures, AWrongFalseAlarmProbabilityCastsDoubtOnTheMisses) {
+  core::SonarParams given = testing::sonar();
+  given.miss_probability = 0.32;
+  given.false_alarm_probability = 0.02;
+  const auto estimator = watch(given, 20);
+  EXPECT_FALSE(estimator.doubts_miss_probability());
+  EXPECT_EQ(estimator.figures().miss_probability, estimator.estimate().miss_probability);
+}
+
 TEST(SensorFigures, AWrongRangeSigmaIsFoundOut) {
   const auto estimator = watch(testing::sonar(), 2, 1.2);  // 3 m is given.
   EXPECT_TRUE(estimator.doubts_range_sigma());

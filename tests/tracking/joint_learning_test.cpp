@@ -21,18 +21,22 @@ TEST(Resample, TakesTrajectoriesByTheirWeights) {
   for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_DOUBLE_EQ(samples[i][0], i < 2 ? 1.0 : 2.0);
 }
 
-// 9 of 90 beams report and nobody owns them: the share is 0.1.
-TEST(JointLearning, UnknownFalseAlarmsAreLearntFromFreeBeams) {
-  core::SonarParams unknown;
-  JointState state({}, unknown, 1);
-  JointLearning learning({}, 0.5, unknown);
+// Echoes in 9 of 90 beams: the share is 0.1.
+std::vector<Eigen::Vector2d> nine_echoes() {
   std::vector<Eigen::Vector2d> points;
   for (int k = 0; k < 9; ++k) {
     const double bearing = core::radians(-40.5 + 9.0 * k);
     points.emplace_back(80.0 * std::cos(bearing), 80.0 * std::sin(bearing));
   }
+  return points;
+}
+
+TEST(JointLearning, UnknownFalseAlarmsAreLearntFromFreeBeams) {
+  core::SonarParams unknown;
+  JointState state({}, unknown, 1);
+  JointLearning learning({}, 0.5, unknown);
   for (int k = 0; k < 20; ++k) {
-    state.likelihood.push(scan_of(k, points));
+    state.likelihood.push(scan_of(k, nine_echoes()));
     learning.learn(state);
   }
   EXPECT_NEAR(learning.estimate().false_alarm_probability, 0.1, 0.005);
@@ -43,8 +47,9 @@ TEST(JointLearning, UnknownFalseAlarmsAreLearntFromFreeBeams) {
 TEST(JointLearning, FiguresThatFitAreLeftAsGiven) {
   JointState state({}, clear_sonar(), 1);
   JointLearning learning({}, 0.5, clear_sonar());
-  state.likelihood.push(scan_of(0, {}));
+  state.likelihood.push(scan_of(0, nine_echoes()));  // P_F = .1 is given.
   learning.learn(state);
+  EXPECT_DOUBLE_EQ(learning.figures().false_alarm_probability, 0.1);
   EXPECT_DOUBLE_EQ(learning.figures().miss_probability, 0.1);
 }
 
