@@ -50,6 +50,7 @@ void ClaimSet::copy(std::span<const Eigen::Vector4d> samples) {
   for (auto* values : {&north_, &east_, &north_velocity_, &east_velocity_}) values->resize(samples.size());
   range_.resize(samples.size());
   bearing_.resize(samples.size());
+  touched_.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     north_[i] = samples[i][0];
     east_[i] = samples[i][1];

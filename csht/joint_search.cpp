@@ -86,6 +86,11 @@ void JointSearch::choose(const ScanHistory& history, int window, core::Random& r
   }
 }
 
+// Few samples say too little rather than too much: the logarithm of their mean falls short.
+bool JointSearch::nearly_accepted(double log_odds) const {
+  return log_odds <= params_.accept_above && log_odds > params_.accept_above - params_.second_look;
+}
+
 // Sampling is dear: only those with hope, and of those only the ones for which a scan or a claim has come
 // since. One that was sampled before has gained since as much as its score has, more or less.
 void JointSearch::weigh_candidates(const ScanHistory& history, int window, core::Random& random) {
@@ -99,6 +104,8 @@ void JointSearch::weigh_candidates(const ScanHistory& history, int window, core:
     if (hope > (candidate.sampled ? params_.sample_again_above : params_.evaluate_above))
       evidence_.evaluate(history, window, claims_, prior_, candidate.sampled ? 1 : evidence_.stages(), random,
                          candidate);
+    if (candidate.sampled && nearly_accepted(candidate.log_odds))
+      evidence_.decide(history, window, claims_, prior_, random, candidate);
     candidate.weighed_log_odds = candidate.log_odds;
   }
   clusters_.score(history, window, claims_, prior_, candidates_);

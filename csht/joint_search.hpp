@@ -21,7 +21,8 @@ struct JointSearchParams {
   double accept_above = 0.0;  ///< Log odds of existence from which a candidate is a target [nats].
   double cluster_above =
       -7.0;  ///< Log odds of a seed's best suffix from which it is worth clustering [nats].
-  double evaluate_above = -9.0;      ///< Laplace log odds from which a candidate is worth sampling [nats].
+  double evaluate_above = -9.0;  ///< Laplace log odds from which a candidate is worth sampling [nats].
+  double second_look = 3.0;  ///< Candidates that fail by less have the verdict's many samples, >= 0 [nats].
   double sample_again_above = -4.0;  ///< The same of one sampled before, for what its score gained since.
 };
 
@@ -59,6 +60,7 @@ class JointSearch {
   void claim_for_targets(const ScanHistory& history);
   void add_seeds(const ScanHistory& history, int window);
   void weigh_candidates(const ScanHistory& history, int window, core::Random& random);
+  bool nearly_accepted(double log_odds) const;
   void choose(const ScanHistory& history, int window, core::Random& random);
   void estimate_again(const ScanHistory& history, int window, const ClaimSet& known, core::Random& random);
   void decide_given_others(const ScanHistory& history, int window, const ClaimSet& others, std::size_t first,
