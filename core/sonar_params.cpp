@@ -42,6 +42,8 @@ void read_sonar_params(const YamlMap& map, SonarParams& params) {
   params.range_sigma = map.number("range_sigma", params.range_sigma, kPositive);
   if (const auto sigma = map.optional_number("bearing_sigma_deg", {0, 90, true}))
     params.bearing_sigma = radians(*sigma);
+  read_degrees(map, "heading_sigma_deg", params.heading_sigma, {0, 90});
+  params.position_sigma = map.number("position_sigma", params.position_sigma, kNotNegative);
   params.max_speed = map.number("max_speed", params.max_speed, kPositive);
   params.scan_period = map.number("scan_period", params.scan_period, kPositive);
   read_optional(map, "miss_probability", params.miss_probability, kProbability);
@@ -75,6 +77,8 @@ std::string to_yaml(const SonarParams& params) {
   line("mount_heading_deg", degrees(params.T_body_sonar.heading));
   line("range_sigma", params.range_sigma);
   if (params.bearing_sigma) line("bearing_sigma_deg", degrees(*params.bearing_sigma));
+  if (params.heading_sigma > 0.0) line("heading_sigma_deg", degrees(params.heading_sigma));
+  if (params.position_sigma > 0.0) line("position_sigma", params.position_sigma);
   line("max_speed", params.max_speed);
   line("scan_period", params.scan_period);
   if (params.miss_probability) line("miss_probability", *params.miss_probability);

@@ -12,15 +12,17 @@ class YamlMap;
 /// What is known of the sensor: geometry, accuracy and, where known, its probabilities. These are the keys of
 /// a recording's sonar.yaml and of the `sensor:` part of a configuration. Defaults: [Yan2018] Table 1.
 struct SonarParams {
-  int num_beams = 90;                             ///< >= 1.
-  double first_bearing = radians(-44.5);          ///< Centre of beam 0 [rad].
-  double bearing_step = radians(1.0);             ///< Beam spacing [rad], > 0.
-  double max_range = 150.0;                       ///< [m], > 0.
-  Pose2 T_body_sonar;                             ///< Mount: forward, starboard [m], heading [rad].
-  double range_sigma = 3.0;                       ///< Standard deviation of a range [m], > 0.
-  std::optional<double> bearing_sigma;            ///< [rad], > 0; absent: see `bearing_sigma_or_default`.
-  double max_speed = 3.0;                         ///< Fastest target over ground [m/s], > 0.
-  double scan_period = 0.5;                       ///< Nominal time between scans [s], > 0.
+  int num_beams = 90;                     ///< >= 1.
+  double first_bearing = radians(-44.5);  ///< Centre of beam 0 [rad].
+  double bearing_step = radians(1.0);     ///< Beam spacing [rad], > 0.
+  double max_range = 150.0;               ///< [m], > 0.
+  Pose2 T_body_sonar;                     ///< Mount: forward, starboard [m], heading [rad].
+  double range_sigma = 3.0;               ///< Standard deviation of a range [m], > 0.
+  std::optional<double> bearing_sigma;    ///< [rad], > 0; absent: see `bearing_sigma_or_default`.
+  double heading_sigma = 0.0;   ///< Standard deviation of the heading that a scan's pose states [rad], >= 0,
+  double position_sigma = 0.0;  ///< and of its north and east [m], >= 0: errors of navigation.
+  double max_speed = 3.0;       ///< Fastest target over ground [m/s], > 0.
+  double scan_period = 0.5;     ///< Nominal time between scans [s], > 0.
   std::optional<double> miss_probability;         ///< P_M of a target in view, in [0, 1]; absent: estimated.
   std::optional<double> false_alarm_probability;  ///< P_F of an empty beam, in [0, 1]; absent: estimated.
   std::optional<double>

@@ -22,7 +22,7 @@ struct CountDecisionParams {
   double targets_in_view = 2.0;  ///< Prior mean number of targets in the field of view, > 0.
   double prior_speed = 5.0;      ///< Their speeds are spread over a disc of this radius [m/s], > 0.
   double velocity_sigma = 0.0;   ///< Above 0: normal instead, with this deviation on each axis [m/s], as in
-                                ///< the fit; >= 0.
+                                 ///< the fit; >= 0.
 };
 
 /// Decides which candidates are targets, after both axes: the log evidence of a target against clutter, from

@@ -9,7 +9,7 @@ namespace lookout::csht {
 
 /// The letters of [Yan2018] section III.B. Defaults: the set that works for every cell of the window tables.
 struct FuzzyIsodataParams {
-  double fuzzifier = 2.0;         ///< m of the memberships, > 1.
+  double fuzzifier = 2.0;        ///< m of the memberships, > 1.
   double core_membership = 0.5;  ///< theta: a membership above it counts as the pattern's core, in [0, 1).
   double aggregation = 0.8;      ///< A: a pattern above it is compact, in [0, 1].
   double combination = 0.02;     ///< alpha_c: larger combines patterns farther apart, >= 0.

@@ -59,7 +59,8 @@ FeaturePoint WeightedPoints::mean() const {
 }
 
 FuzzyPartition::FuzzyPartition(double fuzzifier) : fuzzifier_(fuzzifier), squares_(fuzzifier == 2.0) {
-  if (!(fuzzifier > 1.0)) throw std::invalid_argument("fuzzifier must be > 1, got " + std::to_string(fuzzifier));
+  if (!(fuzzifier > 1.0))
+    throw std::invalid_argument("fuzzifier must be > 1, got " + std::to_string(fuzzifier));
 }
 
 // [Yan2018] Eq. (22) for the points of one block, mu_i = a_i / sum a with a = d^(-2/(m-1)): the affinities a

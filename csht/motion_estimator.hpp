@@ -21,8 +21,8 @@ class MotionEstimator {
   /// @return valid until the next call; empty where nothing is found.
   virtual std::span<const core::MotionElement> update(const core::PosedScan& scan) = 0;
 
-  /// Tracks offered as extra candidates to the next `update`, as they were at the scan of the last one; methods
-  /// without such a use ignore them.
+  /// Tracks offered as extra candidates to the next `update`, as they were at the scan of the last one;
+  /// methods without such a use ignore them.
   virtual void offer(std::span<const core::Track> /*tracks*/) {}
 
   /// The sensor's figures as the stream shows them; nothing from methods that do not estimate them.

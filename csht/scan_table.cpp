@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "csht/blurred_likelihood.hpp"
 #include "csht/scan_to_detections.hpp"
 
 namespace lookout::csht {
@@ -11,6 +12,9 @@ namespace {
 
 // Where a slot without an echo of its own has its range [m]: no position is near it, and silent() reads it.
 constexpr float kFar = -1e6F;
+
+constexpr double kBlurSigmas =
+    2.0;  // Of the heading, beyond which a target is taken for in the outermost beam.
 
 struct EchoWorth {
   double gain = 0.0;     // Factor of the Gaussian at an echo of the target.
@@ -50,6 +54,15 @@ void set_point_figures(const SensorFigures& figures, ScanTable& table) {
   table.gain = static_cast<float>((1.0 - figures.miss_probability) / (density * area));
   std::fill(table.base.begin(), table.base.end(), static_cast<float>(figures.miss_probability));
   table.inverse_bearing_sigma = static_cast<float>(1.0 / figures.bearing_sigma);
+}
+
+void set_blur(const SensorFigures& figures, ScanTable& table) {
+  const bool exact =
+      table.clutter == ClutterModel::point || (figures.heading_sigma <= 0.0 && figures.position_sigma <= 0.0);
+  table.blur_heading = static_cast<float>(figures.heading_sigma / table.bearing_step);
+  table.blur_position = static_cast<float>(figures.position_sigma / table.bearing_step);
+  const double heading = kBlurSigmas * figures.heading_sigma / table.bearing_step;
+  table.blur_reach = exact ? 0 : std::clamp(static_cast<int>(std::ceil(heading)), 1, kMostBlurReach);
 }
 
 void fill_slots(ScanTable& table) {
@@ -99,6 +112,7 @@ void set_figures(const SensorFigures& figures, const SensorModelParams& model, S
     set_point_figures(figures, table);
   else
     set_beam_figures(figures, model, table);
+  set_blur(figures, table);
 }
 
 }  // namespace lookout::csht

@@ -37,6 +37,11 @@ struct ScanTable {
   float inverse_bearing_sigma = 0.0F;  ///< [1/rad].
   float half_sector = 0.0F;            ///< Beyond it from `axis` nothing is seen [rad].
 
+  /// What the errors of the pose do to beams; see blurred_likelihood.hpp.
+  int blur_reach = 0;         ///< Beams to either side of the reported one that a target may be in; 0: exact.
+  float blur_heading = 0.0F;  ///< Standard deviation by the heading [beams].
+  float blur_position = 0.0F;  ///< By the position, times the range [beams x m].
+
   bool silent(int beam) const { return range[static_cast<std::size_t>(beam) + 1] < 0.0F; }
 };
 

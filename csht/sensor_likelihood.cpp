@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "csht/blurred_likelihood.hpp"
 #include "csht/fast_math.hpp"
 
 // One more copy of the hot loops for processors with 256-bit vectors, chosen when the program is loaded. It
@@ -229,6 +230,9 @@ void for_each_block(const ScanTable& scan, const BeamMask* mask, const Hypothesi
     place(scan, hypotheses, first, count, seconds, block.range.data(), block.bearing.data());
     if (scan.clutter == ClutterModel::point)
       score_point(scan, mask, count, block);
+    else if (scan.blur_reach > 0)
+      find_blurred_ratios(scan, mask, {block.range.data(), count}, {block.bearing.data(), count}, tolerance,
+                          {block.ratio.data(), count});
     else
       score_beams(scan, mask, count, block);
     use(count, block, first);
@@ -311,6 +315,7 @@ double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vecto
   const double dn = p_earth.x() - scan.T_earth_sonar.north, de = p_earth.y() - scan.T_earth_sonar.east;
   const double range = std::hypot(dn, de);
   if (range > scan.max_range) return 0.0;
+  if (scan.blur_reach > 0) return blurred_log_ratio(scan, mask, p_earth, tolerance);
   const double bearing = core::wrap_to_pi(std::atan2(de, dn) - scan.axis);
   const Shape shape = shape_of(scan, tolerance);
   const double ratio = scan.clutter == ClutterModel::point

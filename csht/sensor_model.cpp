@@ -1,6 +1,7 @@
 #include "csht/sensor_model.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -27,8 +28,10 @@ SensorFigures figures_of(const core::SonarParams& params) {
       away_from_certainty(params.false_alarm_probability.value_or(figures.false_alarm_probability));
   figures.clutter_per_scan =
       std::max(kLeastClutter, params.clutter_per_scan.value_or(figures.clutter_per_scan));
-  figures.range_sigma = params.range_sigma;
-  figures.bearing_sigma = params.bearing_sigma_or_default();
+  figures.heading_sigma = params.heading_sigma;
+  figures.position_sigma = params.position_sigma;
+  figures.range_sigma = std::hypot(params.range_sigma, params.position_sigma);
+  figures.bearing_sigma = std::hypot(params.bearing_sigma_or_default(), params.heading_sigma);
   return figures;
 }
 
@@ -44,6 +47,8 @@ void validate(const SensorFigures& figures) {
   require(figures.clutter_per_scan > 0.0, "clutter_per_scan must be > 0", figures.clutter_per_scan);
   require(figures.range_sigma > 0.0, "range_sigma must be > 0", figures.range_sigma);
   require(figures.bearing_sigma > 0.0, "bearing_sigma must be > 0", figures.bearing_sigma);
+  require(figures.heading_sigma >= 0.0, "heading_sigma must be >= 0", figures.heading_sigma);
+  require(figures.position_sigma >= 0.0, "position_sigma must be >= 0", figures.position_sigma);
 }
 
 void validate(const SensorModelParams& params) {

@@ -19,6 +19,8 @@ struct SensorFigures {
   double clutter_per_scan = 5.0;         ///< Mean number of false returns in a scan, > 0. point alone.
   double range_sigma = 3.0;              ///< [m], > 0.
   double bearing_sigma = 0.01;           ///< [rad], > 0. Used by point, and by least squares everywhere.
+  double heading_sigma = 0.0;            ///< Of the heading of a scan's pose [rad], >= 0. Used by beams.
+  double position_sigma = 0.0;           ///< Of north and of east of a scan's pose [m], >= 0. The same.
 };
 
 /// How the likelihood reads a scan.
@@ -29,8 +31,8 @@ struct SensorModelParams {
   double log_floor = -8.0;
 };
 
-/// The figures that `params` holds, kept away from 0 and 1, where a single scan would decide everything;
-/// defaults of SensorFigures where they are absent.
+/// The figures that `params` holds, with the errors of the pose in the sigmas too, kept away from 0 and 1,
+/// where a single scan would decide everything; defaults of SensorFigures where they are absent.
 SensorFigures figures_of(const core::SonarParams& params);
 
 /// point for a sensor without beams, else exclusive_beam.

@@ -199,6 +199,9 @@ double mean_visible_targets(const Scene& scene, const PlatformPlan& platform) {
 
 core::SonarParams known_params(const Scene& scene, const PlatformPlan& platform) {
   core::SonarParams params = platform.sonar.params;
+  // A scan's pose lies midway between two reports with errors of their own.
+  params.heading_sigma = platform.vehicle.navigation.heading_sigma / std::sqrt(2.0);
+  params.position_sigma = platform.vehicle.navigation.position_sigma / std::sqrt(2.0);
   if (platform.sonar.clutter == ClutterReading::literal || !params.false_alarm_probability) return params;
   const double p_f = *params.false_alarm_probability;
   const double n = mean_visible_targets(scene, platform);

@@ -267,7 +267,8 @@ void JointBirth::add_members(const JointLikelihood& likelihood, int age, const E
   }
   const int beam = beam_at(scan, at.x(), at.y());
   const double first_azimuth = scan.axis - 0.5 * (scan.num_beams - 1) * scan.bearing_step;
-  for (int b = std::max(0, beam - 1); b <= std::min(scan.num_beams - 1, beam + 1); ++b) {
+  const int reach = 1 + scan.blur_reach;
+  for (int b = std::max(0, beam - reach); b <= std::min(scan.num_beams - 1, beam + reach); ++b) {
     const float echo = scan.range[static_cast<std::size_t>(b) + 1];
     if (echo > 0.0F) add(b, static_cast<double>(echo), first_azimuth + b * scan.bearing_step);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csht/blurred_likelihood.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -60,7 +62,8 @@ JointObserver::View JointObserver::look(int slot, const JointCloud& cloud, int a
   touched_.clear();
   touched_.reserve(share_.size());
   const View view = points ? look_points(cloud, scan, likelihood.scans().figures(), seconds, stride)
-                           : look_beams(cloud, scan, seconds, stride);
+                    : scan.blur_reach > 0 ? look_blurred(cloud, scan, seconds, stride)
+                                          : look_beams(cloud, scan, seconds, stride);
   const double total = total_weight(cloud, stride);
   for (const int index : touched_) {
     const auto k = static_cast<std::size_t>(index);
@@ -71,6 +74,31 @@ JointObserver::View JointObserver::look(int slot, const JointCloud& cloud, int a
     range_[k] = 0.0;
   }
   return {view.visible / total, view.echo / total};
+}
+
+// With an uncertain pose: in which beams the sonar had the target is judged by what they returned.
+JointObserver::View JointObserver::look_blurred(const JointCloud& cloud, const csht::ScanTable& scan,
+                                                double seconds, std::size_t stride) {
+  const double gate = kEchoSigmas / static_cast<double>(scan.inverse_sigma);
+  View view;
+  for (std::size_t i = 0; i < cloud.size(); i += stride) {
+    const Eigen::Vector2d at = moved(cloud, i, seconds);
+    const double range = std::hypot(at.x() - scan.T_earth_sonar.north, at.y() - scan.T_earth_sonar.east);
+    if (range > scan.max_range) continue;
+    const csht::BeamShares shares = csht::beam_shares(scan, at, {});
+    for (std::size_t k = 0; k < static_cast<std::size_t>(shares.count); ++k) {
+      const int beam = shares.beam[k];
+      if (beam < 0 || beam >= scan.num_beams) continue;
+      const auto b = static_cast<std::size_t>(beam);
+      const double weight = cloud.weight[i] * shares.share[k];
+      if (share_[b] == 0.0) touched_.push_back(beam);
+      share_[b] += weight;
+      range_[b] += weight * range;
+      view.visible += weight;
+      if (std::abs(static_cast<double>(scan.range[b + 1]) - range) < gate) view.echo += weight;
+    }
+  }
+  return view;
 }
 
 JointObserver::View JointObserver::look_beams(const JointCloud& cloud, const csht::ScanTable& scan,

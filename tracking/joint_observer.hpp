@@ -35,6 +35,7 @@ class JointObserver {
   View look(int slot, const JointCloud& cloud, int age, bool claim, std::size_t stride,
             JointLikelihood& likelihood);
   View look_beams(const JointCloud& cloud, const csht::ScanTable& scan, double seconds, std::size_t stride);
+  View look_blurred(const JointCloud& cloud, const csht::ScanTable& scan, double seconds, std::size_t stride);
   View look_points(const JointCloud& cloud, const csht::ScanTable& scan, const csht::SensorFigures& figures,
                    double seconds, std::size_t stride);
 

@@ -39,6 +39,8 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   params.miss_probability = 0.3;
   params.clutter_per_scan = 3.0;
   params.bearing_sigma = radians(0.5);
+  params.heading_sigma = radians(1.0);
+  params.position_sigma = 0.5;
   SonarParams back;
   read_sonar_params(YamlMap::load_text(to_yaml(params), "t"), back);
   EXPECT_EQ(back.num_beams, params.num_beams);
@@ -46,6 +48,8 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   EXPECT_EQ(back.miss_probability, params.miss_probability);
   EXPECT_EQ(back.clutter_per_scan, params.clutter_per_scan);
   EXPECT_NEAR(*back.bearing_sigma, *params.bearing_sigma, 1e-15);
+  EXPECT_NEAR(back.heading_sigma, params.heading_sigma, 1e-15);
+  EXPECT_EQ(back.position_sigma, 0.5);
   EXPECT_FALSE(back.false_alarm_probability);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/random.hpp"
 #include "tests/tracking/sonar_scene.hpp"
 
 namespace lookout::tracking {
@@ -43,6 +44,30 @@ TEST(JointTracker, ConfirmsWithinThreeSecondsInLightClutter) {
   for (int k = 0; k < 20; ++k)
     if (!confirmed(tracker.update(scan_of(k, {{60.0 + 0.5 * k, 10.0}}))).empty()) first = std::min(first, k);
   EXPECT_LE(first, 6);
+}
+
+// In how many of 60 scans one confirmed track stands within 3 m of the only target, where each scan's heading
+// is off by a degree or so, of beams of one degree.
+int followed_with_bad_headings(double heading_sigma) {
+  core::SonarParams sonar = known_sonar(0.1, 0.1);
+  sonar.heading_sigma = heading_sigma;
+  JointTracker tracker({}, sonar, 1);
+  core::Random random(1000);
+  int followed = 0;
+  for (int k = 0; k < 60; ++k) {
+    core::PosedScan scan = scan_of(k, {{60.0 + 0.5 * k, 10.0}});
+    scan.T_earth_sonar.heading = random.gaussian(core::radians(1.0));
+    const auto tracks = confirmed(tracker.update(scan));
+    const Eigen::Vector2d truth(60.0 + 0.5 * k, 10.0);
+    if (tracks.size() == 1 && (tracks[0].position() - truth).norm() < 3.0) ++followed;
+  }
+  return followed;
+}
+
+TEST(JointTracker, FollowsThroughNoisyHeadingsThatItIsToldOf) {
+  const int told = followed_with_bad_headings(core::radians(1.0));
+  EXPECT_GE(told, 50);
+  EXPECT_GT(told, followed_with_bad_headings(0.0) + 10);
 }
 
 TEST(JointTracker, AnEmptySeaHasNoTracks) {
