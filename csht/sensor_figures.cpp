@@ -98,7 +98,8 @@ void SensorFigureEstimator::update(const ScanHistory& history, std::span<const K
   learn_clutter(history.newest());
   if (history.size() > params_.settle_scans)
     for (std::size_t k = 0; k < targets.size(); ++k)
-      if (targets[k].existence >= params_.sure_existence) learn_target(history, k, targets);
+      if (targets[k].existence >= params_.sure_existence && targets[k].held_scans >= params_.settle_scans)
+        learn_target(history, k, targets);
   choose();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace lookout::csht {
 struct KnownTarget {
   std::span<const Eigen::Vector4d> samples;
   double existence = 0.0;
+  /// For so many scans before the newest its trajectories are known to hold; it says nothing of older ones,
+  /// where it may not have been there yet.
+  int held_scans = std::numeric_limits<int>::max();
 };
 
 struct SensorFigureParams {

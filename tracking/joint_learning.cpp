@@ -28,7 +28,8 @@ void JointLearning::learn(JointState& state) {
       samples_.emplace_back().reserve(static_cast<std::size_t>(params_.target_samples));
     auto& samples = samples_[targets_.size()];
     resample(track.cloud, params_.target_samples, samples);
-    targets_.push_back({samples, track.existence()});
+    const auto since_first = static_cast<int>(state.scans().pushed() - 1 - track.first_scan);
+    targets_.push_back({samples, track.existence(), std::min(since_first, track.recent.size())});
   }
   figures_.update(state.scans(), targets_);
   if (changed(state.scans().figures())) state.likelihood.set_figures(figures_.figures());

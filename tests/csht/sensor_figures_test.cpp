@@ -14,7 +14,8 @@ using testing::Course;
 const Course kCourse{{80, 10}, {-0.4, 0.6}};
 
 // 120 scans of one course, the target told, `clutter` false alarms in 90 beams and misses of 30 %.
-SensorFigureEstimator watch(const core::SonarParams& given, int clutter, double sigma = 3.0) {
+SensorFigureEstimator watch(const core::SonarParams& given, int clutter, double sigma = 3.0,
+                            int held_scans = 120) {
   core::Random random(1011);
   const auto scans = testing::scans_of(
       {kCourse}, 120, {.range_sigma = sigma, .quantise = true, .p_miss = 0.3, .clutter_per_scan = clutter},
@@ -26,7 +27,7 @@ SensorFigureEstimator watch(const core::SonarParams& given, int clutter, double 
     Eigen::Vector4d state;
     state << kCourse.at(core::seconds(posed.scan.utime)), kCourse.velocity;
     const std::array samples{state};
-    const std::array targets{KnownTarget{samples, 1.0}};
+    const std::array targets{KnownTarget{samples, 1.0, held_scans}};
     estimator.update(history, targets);
     history.set_figures(estimator.figures());
   }
@@ -42,6 +43,14 @@ TEST(SensorFigures, LearnsAllThree) {
   EXPECT_NEAR(estimate.range_sigma, 3.0, 4.0 * estimate.range_sigma_sigma);
   EXPECT_LT(estimate.miss_probability_sigma, 0.06);
   EXPECT_LT(estimate.false_alarm_probability_sigma, 0.006);
+}
+
+// Where it was ten scans ago, the default `settle_scans`, is not known: nothing is learnt of echoes and
+// misses, and P_M stays where it is without any, 0.5 of four trials that have faded.
+TEST(SensorFigures, ATargetThatHasNotBeenThereForLongTeachesNothing) {
+  const auto estimate = watch(testing::sonar(), 20, 3.0, 9).estimate();
+  EXPECT_DOUBLE_EQ(estimate.miss_probability, 0.5);
+  EXPECT_GT(estimate.miss_probability_sigma, 0.2);
 }
 
 TEST(SensorFigures, RightFiguresAreUsedAsGiven) {

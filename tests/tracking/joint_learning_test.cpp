@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/tracking/joint_scenes.hpp"
+#include "tracking/joint_tracker.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -51,6 +52,18 @@ TEST(JointLearning, FiguresThatFitAreLeftAsGiven) {
   learning.learn(state);
   EXPECT_DOUBLE_EQ(learning.figures().false_alarm_probability, 0.1);
   EXPECT_DOUBLE_EQ(learning.figures().miss_probability, 0.1);
+}
+
+// Four targets appear in view in the 20th scan and never miss an echo. Were they held against the scans
+// before, each would have missed ten.
+TEST(JointLearning, TargetsThatAppearInViewAreNoMissesOfTheScansBefore) {
+  core::SonarParams unknown;
+  JointTracker tracker({}, unknown, 1);
+  for (int k = 0; k < 40; ++k)
+    tracker.update(scan_of(k, k < 20
+                                  ? std::vector<Eigen::Vector2d>{}
+                                  : std::vector<Eigen::Vector2d>{{60, 20}, {90, -40}, {40, 0}, {110, 30}}));
+  EXPECT_LT(tracker.sensor_estimate()->miss_probability, 0.2);
 }
 
 }  // namespace
