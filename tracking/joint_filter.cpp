@@ -12,8 +12,10 @@ JointFilter::JointFilter(const JointTrackerParams& params)
     : cloud_(params.cloud),
       life_(params.life),
       least_log_odds_(params.manoeuvre.least_log_odds),
-      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.birth.log_birth()},
-      manoeuvre_(params.manoeuvre, params.cloud.trajectories) {}
+      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.manoeuvre.least_scans,
+              params.birth.log_birth()},
+      manoeuvre_(params.manoeuvre, params.cloud.trajectories),
+      observer_(params.observer) {}
 
 void JointFilter::predict(double seconds, JointState& state) const {
   const double survival = std::exp(-seconds / life_.mean_life_s);

@@ -7,12 +7,6 @@
 #include "tracking/joint_memory.hpp"
 
 namespace lookout::tracking {
-namespace {
-
-constexpr int kRounds = 10;  // Of adaptive importance sampling: the guess may be some metres off.
-
-}  // namespace
-
 SamplingTask JointManoeuvre::task(const Suspect& suspect, const AgeSpan& ages, bool curved) const {
   SamplingTask task;
   task.guess = suspect.track.moments;
@@ -26,7 +20,7 @@ SamplingTask JointManoeuvre::task(const Suspect& suspect, const AgeSpan& ages, b
   task.ages = ages;
   task.self = suspect.slot;
   task.samples = 2 * trajectories_;
-  task.rounds = kRounds;
+  task.rounds = params_.rounds;
   task.curved = curved;
   return task;
 }
@@ -58,6 +52,10 @@ JointManoeuvre::Judgement JointManoeuvre::judge(const Suspect& suspect, JointLik
                                     : leave_line(suspect, likelihood, sampler, random, cloud);
 }
 
+int JointManoeuvre::oldest_of_window(const csht::ScanHistory& scans) const {
+  return oldest_of_curve({.curve_s = params_.window_s, .curve_scans = params_.least_scans}, scans);
+}
+
 // Whether the line explains the latest scans so poorly that a curve is worth its computing.
 bool JointManoeuvre::doubtful(const RecentEvidence& recent, int scans) const {
   const int few = std::min(scans, params_.sudden_scans);
@@ -71,7 +69,7 @@ JointManoeuvre::Judgement JointManoeuvre::leave_line(const Suspect& suspect, Joi
                                                      JointSampler& sampler, core::Random& random,
                                                      JointCloud& cloud) const {
   const RecentEvidence& recent = suspect.track.recent;
-  const int oldest = std::min(oldest_within(params_.window_s, likelihood.scans()), recent.size() - 1);
+  const int oldest = std::min(oldest_of_window(likelihood.scans()), recent.size() - 1);
   Judgement judgement;
   if (oldest < params_.least_scans || !doubtful(recent, oldest + 1)) return judgement;
   judgement.oldest = oldest;
@@ -107,7 +105,7 @@ JointManoeuvre::Judgement JointManoeuvre::leave_curve(const Suspect& suspect, Jo
                                                       JointSampler& sampler, core::Random& random,
                                                       JointCloud& cloud) const {
   Judgement judgement;
-  judgement.oldest = oldest_within(params_.window_s, likelihood.scans());
+  judgement.oldest = oldest_of_window(likelihood.scans());
   const AgeSpan window{0, judgement.oldest};
   const csht::ScanHistory& scans = likelihood.scans();
   const SamplingResult curve =

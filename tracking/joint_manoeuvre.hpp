@@ -45,6 +45,7 @@ class JointManoeuvre {
                         core::Random& random, JointCloud& cloud) const;
   double gain_of_other_line(const Suspect& suspect, JointLikelihood& likelihood, JointSampler& sampler,
                             core::Random& random, JointCloud& cloud) const;
+  int oldest_of_window(const csht::ScanHistory& scans) const;
   bool doubtful(const RecentEvidence& recent, int scans) const;
   SamplingTask task(const Suspect& suspect, const AgeSpan& ages, bool curved) const;
   SamplingTask anchored_task(const Suspect& suspect, const AgeSpan& ages, bool curved,

@@ -10,10 +10,14 @@ int oldest_within(double seconds, const csht::ScanHistory& scans) {
   return oldest;
 }
 
+int oldest_of_curve(const JointMemory& memory, const csht::ScanHistory& scans) {
+  return std::max(oldest_within(memory.curve_s, scans), std::min(memory.curve_scans, scans.size() - 1));
+}
+
 AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const JointMemory& memory) {
   AgeSpan ages;
   if (track.cloud.curved) {
-    ages.oldest = oldest_within(memory.curve_s, scans);
+    ages.oldest = oldest_of_curve(memory, scans);
     return ages;
   }
   const std::int64_t since_first = scans.pushed() - 1 - track.first_scan;

@@ -8,10 +8,6 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kLeastShare = 0.02;    // Of a beam that is worth a claim.
-constexpr double kEchoSigmas = 4.0;     // An echo this near a trajectory may be its own.
-constexpr std::size_t kPastStride = 8;  // Of a cloud's trajectories, for its claims on past scans.
-
 Eigen::Vector2d moved(const JointCloud& cloud, std::size_t i, double seconds) {
   const double half_square = 0.5 * seconds * seconds;
   return {cloud.north[i] + seconds * cloud.north_velocity[i] + half_square * cloud.north_acceleration[i],
@@ -46,7 +42,7 @@ void JointObserver::claim_memory(int slot, JointTrack& track, const AgeSpan& mem
 void JointObserver::claim_past(int slot, JointTrack& track, int oldest, JointLikelihood& likelihood) {
   for (int age = 1; age <= oldest; ++age) {
     if (track.has_claims) likelihood.forget_claims(slot, age);
-    look(slot, track.cloud, age, true, kPastStride, likelihood);
+    look(slot, track.cloud, age, true, static_cast<std::size_t>(params_.past_stride), likelihood);
   }
   track.has_claims = true;
 }
@@ -67,7 +63,7 @@ JointObserver::View JointObserver::look(int slot, const JointCloud& cloud, int a
   const double total = total_weight(cloud, stride);
   for (const int index : touched_) {
     const auto k = static_cast<std::size_t>(index);
-    if (claim && share_[k] > kLeastShare * total)
+    if (claim && share_[k] > params_.least_share * total)
       likelihood.add_claim(age, {slot, index, static_cast<float>(range_[k] / share_[k]),
                                  static_cast<float>(share_[k] / total)});
     share_[k] = 0.0;
@@ -79,7 +75,7 @@ JointObserver::View JointObserver::look(int slot, const JointCloud& cloud, int a
 // With an uncertain pose: in which beams the sonar had the target is judged by what they returned.
 JointObserver::View JointObserver::look_blurred(const JointCloud& cloud, const csht::ScanTable& scan,
                                                 double seconds, std::size_t stride) {
-  const double gate = kEchoSigmas / static_cast<double>(scan.inverse_sigma);
+  const double gate = params_.echo_sigmas / static_cast<double>(scan.inverse_sigma);
   View view;
   for (std::size_t i = 0; i < cloud.size(); i += stride) {
     const Eigen::Vector2d at = moved(cloud, i, seconds);
@@ -103,7 +99,7 @@ JointObserver::View JointObserver::look_blurred(const JointCloud& cloud, const c
 
 JointObserver::View JointObserver::look_beams(const JointCloud& cloud, const csht::ScanTable& scan,
                                               double seconds, std::size_t stride) {
-  const double gate = kEchoSigmas / static_cast<double>(scan.inverse_sigma);
+  const double gate = params_.echo_sigmas / static_cast<double>(scan.inverse_sigma);
   View view;
   for (std::size_t i = 0; i < cloud.size(); i += stride) {
     const Eigen::Vector2d at = moved(cloud, i, seconds);

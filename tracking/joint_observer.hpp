@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tracking/joint_likelihood.hpp"
+#include "tracking/joint_params.hpp"
 #include "tracking/joint_track.hpp"
 
 namespace lookout::tracking {
@@ -12,6 +13,9 @@ namespace lookout::tracking {
 /// own; and from that, what it claims of the scans.
 class JointObserver {
  public:
+  /// @param params validated.
+  explicit JointObserver(const JointObserverParams& params = {}) : params_(params) {}
+
   /// Notes visibility and echo of the newest scan in `track`; with `claim`, its claims on it.
   void observe(int slot, JointTrack& track, bool claim, JointLikelihood& likelihood);
 
@@ -39,6 +43,7 @@ class JointObserver {
   View look_points(const JointCloud& cloud, const csht::ScanTable& scan, const csht::SensorFigures& figures,
                    double seconds, std::size_t stride);
 
+  JointObserverParams params_;
   std::vector<double> share_, range_;  ///< By beam, or by detection of a point sensor.
   std::vector<int> touched_;
   std::vector<double> ratio_;

@@ -23,10 +23,12 @@ JointOnset::JointOnset(const JointTrackerParams& params, double max_speed,
     : params_(params.birth),
       life_(params.life),
       cloud_(params.cloud),
-      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.birth.log_birth()},
+      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.manoeuvre.least_scans,
+              params.birth.log_birth()},
       max_speed_(max_speed),
       birth_(params.birth, max_speed),
-      births_(std::move(births)) {}
+      births_(std::move(births)),
+      observer_(params.observer) {}
 
 void JointOnset::begin(const core::PosedScan& scan, JointState& state) {
   log_density_ = birth_density(state.scans().newest(), max_speed_, params_).log_standing;

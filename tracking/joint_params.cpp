@@ -24,6 +24,23 @@ void validate(const JointCloudParams& p) {
   require(p.move_scale > 0.0, "move_scale must be > 0", p.move_scale);
   require(p.enough_effective > 0.0, "enough_effective must be > 0", p.enough_effective);
   require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)", p.trusted_share);
+  require(p.tempered_share > 0.0 && p.tempered_share < 1.0, "tempered_share must be in (0, 1)",
+          p.tempered_share);
+  require(p.tempering_step > 0.0 && p.tempering_step < 1.0, "tempering_step must be in (0, 1)",
+          p.tempering_step);
+  require(p.least_exponent > 0.0 && p.least_exponent < 1.0, "least_exponent must be in (0, 1)",
+          p.least_exponent);
+  require(p.speed_edge > 0.0, "speed_edge must be > 0", p.speed_edge);
+  require(p.position_floor > 0.0, "position_floor must be > 0", p.position_floor);
+  require(p.velocity_floor > 0.0, "velocity_floor must be > 0", p.velocity_floor);
+  require(p.acceleration_floor > 0.0, "acceleration_floor must be > 0", p.acceleration_floor);
+  require(p.acceleration_prior > 0.0, "acceleration_prior must be > 0", p.acceleration_prior);
+}
+
+void validate(const JointObserverParams& p) {
+  require(p.least_share > 0.0 && p.least_share < 1.0, "least_share must be in (0, 1)", p.least_share);
+  require(p.echo_sigmas > 0.0, "echo_sigmas must be > 0", p.echo_sigmas);
+  require(p.past_stride >= 1, "past_stride must be >= 1", p.past_stride);
 }
 
 void validate(const JointBirthParams& p) {
@@ -39,7 +56,9 @@ void validate(const JointBirthParams& p) {
   require(p.rounds >= 1, "rounds must be >= 1", p.rounds);
   require(p.hopeless > 0.0, "hopeless must be > 0", p.hopeless);
   require(p.enough_nats > 0.0, "enough_nats must be > 0", p.enough_nats);
-  require(p.least_nats > 0.0, "least_nats must be > 0", p.least_nats);
+  require(p.begin_nats > 0.0, "begin_nats must be > 0", p.begin_nats);
+  require(p.least_nats > 0.0 && p.least_nats < p.begin_nats, "least_nats must be in (0, begin_nats)",
+          p.least_nats);
   require(p.doubtful >= 0.0, "doubtful must be >= 0", p.doubtful);
   require(p.explained > 0.0 && p.explained <= 1.0, "explained must be in (0, 1]", p.explained);
   require(p.refine_rounds >= 1, "refine_rounds must be >= 1", p.refine_rounds);
@@ -52,6 +71,8 @@ void validate(const JointBirthParams& p) {
 void validate(const JointManoeuvreParams& p) {
   require(p.window_s > 0.0 && p.window_s <= 30.0, "manoeuvre window_s must be in (0, 30]", p.window_s);
   require(p.prior > 0.0 && p.prior < 1.0, "manoeuvre prior must be in (0, 1)", p.prior);
+  require(p.least_scans >= 1, "least_scans must be >= 1", p.least_scans);
+  require(p.rounds >= 1, "manoeuvre rounds must be >= 1", p.rounds);
   require(p.position_slack > 0.0, "position_slack must be > 0", p.position_slack);
   require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);
   require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);
@@ -94,6 +115,7 @@ void validate(const JointLearningParams& p) {
 void validate(const JointTrackerParams& params) {
   csht::validate(params.sensor);
   validate(params.cloud);
+  validate(params.observer);
   validate(params.birth);
   validate(params.manoeuvre);
   validate(params.life);

@@ -21,6 +21,22 @@ struct JointCloudParams {
   double move_scale = 0.6;         ///< Their standard deviations over those of the cloud, > 0.
   double enough_effective = 50.0;  ///< Trajectories that carry a cloud that is as good as it gets, > 0.
   double trusted_share = 0.08;     ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
+  double tempered_share = 0.1;    ///< Effective share of a cloud whose moments are trusted, in (0, 1); below,
+  double tempering_step = 0.8;    ///< its log weights shrink by this factor at a time, in (0, 1),
+  double least_exponent = 0.005;  ///< down to this exponent, in (0, 1).
+  double speed_edge = 0.2;  ///< Beyond the limit the prior of speeds falls off with this sigma [m/s], > 0.
+  double position_floor = 0.05;       ///< Least standard deviations that are proposed, > 0: [m],
+  double velocity_floor = 0.01;       ///< [m/s] and
+  double acceleration_floor = 0.005;  ///< [m/s^2].
+  double acceleration_prior = 0.2;  ///< Standard deviation of each component of a manoeuvre [m/s^2], > 0: up
+                                    ///< to 0.3 m/s^2 are asked for.
+};
+
+/// How a track sees itself in a scan, and what it claims there.
+struct JointObserverParams {
+  double least_share = 0.02;  ///< Probability of being in a beam that is worth a claim, in (0, 1).
+  double echo_sigmas = 4.0;   ///< An echo this near a trajectory may be its own, > 0.
+  int past_stride = 8;  ///< Every so many-th trajectory stands for the cloud in claims on past scans, >= 1.
 };
 
 /// Births: pairs of echoes that no track explains, scored backwards.
@@ -31,6 +47,7 @@ struct JointBirthParams {
   double enough_nats =
       30.0;                  ///< Information that is enough to weigh a new target [nats], > 0: twice what the
                              ///< number of trajectories that can be told apart asks for. docs/tracker.md.
+  double begin_nats = 11.0;  ///< Evidence after which a target that appears is found, > 0. docs/tracker.md.
   double least_nats = 0.05;  ///< Least information of a scan that is reckoned with [nats], > 0.
   int min_lag_scans = 2;     ///< Between the two echoes of a pair, >= 1.
   double max_lag_s = 10.0;   ///< Between the two echoes of a pair [s], > 0.
@@ -60,9 +77,10 @@ struct JointManoeuvreParams {
   double trigger_share = 0.75;  ///< A line is doubted when it brings less than this share of its evidence.
   int sudden_scans = 4;         ///< ... or when over this many scans, >= 1,
   double sudden_nats = 6.0;     ///< it falls this much short of what was to be expected, > 0.
-  int least_scans = 7;          ///< A track younger than this is not judged, >= 1.
-  double position_slack = 2.0;  ///< How far a manoeuvre may have led off the line [m], > 0,
-  double velocity_slack = 0.5;  ///< [m/s], > 0, and
+  int least_scans = 7;  ///< A track younger than this is not judged, >= 1; a curve spans as many at least.
+  int rounds = 10;      ///< Of adaptive importance sampling, >= 1: the guess may be some metres off.
+  double position_slack = 2.0;       ///< How far a manoeuvre may have led off the line [m], > 0,
+  double velocity_slack = 0.5;       ///< [m/s], > 0, and
   double acceleration_slack = 0.15;  ///< [m/s^2], > 0, one standard deviation each.
   double straighten_nats = 2.5;      ///< Evidence for the line that ends a manoeuvre.
   int young_windows = 2;             ///< A track of at most so many windows may be on a wrong line, >= 0.
@@ -109,6 +127,7 @@ struct JointTrackerParams {
   csht::SensorModelParams sensor;
   csht::Tolerance tolerance;  ///< Of tracks and of evidence; see there.
   JointCloudParams cloud;
+  JointObserverParams observer;
   JointBirthParams birth;
   JointManoeuvreParams manoeuvre;
   JointLifeParams life;

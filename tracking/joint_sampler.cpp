@@ -10,20 +10,14 @@ namespace lookout::tracking {
 namespace {
 
 constexpr std::size_t kPoolSize = 4096;
-constexpr double kTemperedShare = 0.1;        // Effective share of a cloud whose moments are trusted.
-constexpr double kTemperingStep = 0.8;        // Factor on the logarithms of the weights.
-constexpr double kLeastExponent = 0.005;      // Of tempered weights.
-constexpr double kSpeedEdge = 0.2;            // Beyond the limit the prior falls off with this sigma [m/s].
-constexpr double kPositionFloor = 0.05;       // Least standard deviations that are proposed: [m],
-constexpr double kVelocityFloor = 0.01;       // [m/s] and
-constexpr double kAccelerationFloor = 0.005;  // [m/s^2].
-constexpr double kAccelerationPrior = 0.2;    // Of each component of a manoeuvre [m/s^2].
 
-CloudMoments::Matrix6 floored(const CloudMoments::Matrix6& covariance) {
+CloudMoments::Matrix6 floored(const CloudMoments::Matrix6& covariance, const JointCloudParams& params) {
   CloudMoments::Matrix6 result = covariance;
-  constexpr double kFloor[] = {kPositionFloor, kPositionFloor,     kVelocityFloor,
-                               kVelocityFloor, kAccelerationFloor, kAccelerationFloor};
-  for (int i = 0; i < 6; ++i) result(i, i) += kFloor[i] * kFloor[i];
+  const std::array floor{params.position_floor, params.velocity_floor, params.acceleration_floor};
+  for (int i = 0; i < 6; ++i) {
+    const double least = floor[static_cast<std::size_t>(i / 2)];
+    result(i, i) += least * least;
+  }
   return result;
 }
 
@@ -95,11 +89,12 @@ JointSampler::JointSampler(const JointCloudParams& params, double max_speed, cor
 }
 
 double JointSampler::log_prior(double speed, double acceleration, bool curved) const {
-  const double excess = std::max(0.0, speed - max_speed_) / kSpeedEdge;
+  const double excess = std::max(0.0, speed - max_speed_) / params_.speed_edge;
   double value = -0.5 * excess * excess;
   if (curved) {
-    const double a = acceleration / kAccelerationPrior;
-    value -= 0.5 * a * a + std::log(2.0 * std::numbers::pi * kAccelerationPrior * kAccelerationPrior);
+    const double a = acceleration / params_.acceleration_prior;
+    value -= 0.5 * a * a +
+             std::log(2.0 * std::numbers::pi * params_.acceleration_prior * params_.acceleration_prior);
   }
   return value;
 }
@@ -108,7 +103,7 @@ double JointSampler::log_prior(double speed, double acceleration, bool curved) c
 void JointSampler::draw(const CloudMoments& around, std::size_t start, JointCloud& cloud) {
   const int d = cloud.dimensions();
   const CloudMoments::Matrix6 scaled =
-      floored(around.covariance) *
+      floored(around.covariance, params_) *
       (params_.proposal_scale * params_.proposal_scale * (params_.tail_freedom - 2.0) / params_.tail_freedom);
   const CloudMoments::Matrix6 root = root_of(scaled, d);
   double log_determinant = 0.0;
@@ -137,11 +132,11 @@ void JointSampler::add_prior(const JointCloud& cloud, std::span<double> log_weig
 // halved) until enough do: a guess that is too wide converges, one that is too narrow never does. [Neal2001]
 // Sec. 2.
 CloudMoments JointSampler::next_guess(JointCloud& cloud) {
-  const double enough = kTemperedShare * static_cast<double>(cloud.size());
+  const double enough = params_.tempered_share * static_cast<double>(cloud.size());
   double exponent = 1.0;
-  while (cloud.effective_size() < enough && exponent > kLeastExponent) {
-    exponent *= kTemperingStep;
-    for (double& log_weight : log_weight_) log_weight *= kTemperingStep;
+  while (cloud.effective_size() < enough && exponent > params_.least_exponent) {
+    exponent *= params_.tempering_step;
+    for (double& log_weight : log_weight_) log_weight *= params_.tempering_step;
     normalise_log_weights(log_weight_, cloud.weight);
   }
   return cloud.moments();
@@ -184,8 +179,8 @@ void JointSampler::score(const JointCloud& cloud, const CloudMoments::Vector6& m
 void JointSampler::move(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random,
                         JointCloud& cloud) {
   const CloudMoments moments = cloud.moments();
-  const CloudMoments::Matrix6 root =
-      root_of(floored(moments.covariance) * (params_.move_scale * params_.move_scale), cloud.dimensions());
+  const CloudMoments::Matrix6 root = root_of(
+      floored(moments.covariance, params_) * (params_.move_scale * params_.move_scale), cloud.dimensions());
   stepped_.curved = cloud.curved;
   stepped_.resize(cloud.size());
   log_weight_.resize(cloud.size());

@@ -7,9 +7,6 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kBirthNats = 11.0;  // Evidence that a new target needs. docs/tracker.md.
-constexpr double kLeastNats = 0.05;  // Of information a scan.
-
 // Entropy of the beam that a target was in, of one half way out [nats]: that of a normal distribution, which
 // a beam's own width keeps from going below 0.
 double entropy_of_beam(const csht::ScanTable& scan) {
@@ -35,7 +32,8 @@ double nats_per_scan(const csht::SensorFigures& figures, const csht::ScanTable& 
 }
 
 double JointUnseen::update(const csht::ScanTable& scan, const csht::SensorFigures& figures, double seconds) {
-  const double found = std::clamp(nats_per_scan(figures, scan), kLeastNats, kBirthNats) / kBirthNats;
+  const double found =
+      std::clamp(nats_per_scan(figures, scan), params_.least_nats, params_.begin_nats) / params_.begin_nats;
   const double sector = std::min(2.0 * std::numbers::pi, scan.num_beams * scan.bearing_step);
   // Flux of uniformly moving points over a closed border: speed x length / (pi x area).
   const double border = scan.max_range * (sector + (scan.whole_circle ? 0.0 : 2.0));

@@ -29,6 +29,13 @@ TEST(MemoryOf, ReachesToTheFirstScanOrTheMemorysEnd) {
   EXPECT_EQ(memory_of(track, scans, {3.0, 8.0}).oldest, 6);
 }
 
+TEST(OldestOfCurve, SpansItsSecondsButNeverTooFewScans) {
+  const csht::ScanHistory scans = thirty_scans();
+  EXPECT_EQ(oldest_of_curve({.curve_s = 8.0, .curve_scans = 7}, scans), 16);
+  EXPECT_EQ(oldest_of_curve({.curve_s = 2.0, .curve_scans = 7}, scans), 7);    // Four scans tell no curve.
+  EXPECT_EQ(oldest_of_curve({.curve_s = 2.0, .curve_scans = 99}, scans), 29);  // As far as there are any.
+}
+
 TEST(MemoryOf, ACurveIsShort) {
   const csht::ScanHistory scans = thirty_scans();
   JointTrack track;
