@@ -5,7 +5,7 @@
 #include <array>
 #include <filesystem>
 
-#include "core/input_error.hpp"
+#include "tests/reading.hpp"
 #include "tests/temporary_directory.hpp"
 
 namespace lookout::core {
@@ -13,14 +13,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kColumns{"a", "b"};
 
-std::string error_of(const auto& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using testing::error_of;
 
 TEST(Csv, ShortestFormReadsBack) {
   EXPECT_EQ(shortest(0.1), "0.1");

@@ -2,19 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "core/input_error.hpp"
+#include "tests/reading.hpp"
 
 namespace lookout::core {
 namespace {
 
-std::string error_of(const auto& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
+using testing::error_of;
 
 TEST(YamlReader, ReadsEachKind) {
   const auto map =

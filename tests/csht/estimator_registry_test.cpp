@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/input_error.hpp"
-#include "core/yaml_reader.hpp"
+#include "tests/reading.hpp"
 
 namespace lookout::csht {
 namespace {
 
 EstimatorParams read(const std::string& text) {
-  EstimatorParams params;
-  read_estimator_params(core::YamlMap::load_text(text, "config.yaml"), params);
-  return params;
+  return testing::read_yaml(read_estimator_params, text);
 }
 
 TEST(EstimatorRegistry, ReadsTheWindowOfAConfiguration) {

@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/input_error.hpp"
-#include "core/yaml_reader.hpp"
+#include "tests/reading.hpp"
 
 namespace lookout::fusion {
 namespace {
 
 FusionParams read(const std::string& text) {
-  FusionParams params;
-  read_fusion_params(core::YamlMap::load_text(text, "test.yaml"), params);
-  return params;
+  return testing::read_yaml(read_fusion_params, text);
 }
 
 TEST(FusionParams, ReadsItsKeys) {

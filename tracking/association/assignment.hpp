@@ -19,6 +19,8 @@ class AssignmentSolver {
 
  private:
   void augment(const CostMatrix& cost, bool transposed, int row, int num_columns);
+  std::size_t relax(const CostMatrix& cost, bool transposed, std::size_t column, std::size_t size);
+  void move_potentials(double step, std::size_t size);
 
   std::vector<double> row_potential_, column_potential_, distance_;
   std::vector<int> row_of_column_, previous_column_, column_of_row_;

@@ -5,17 +5,14 @@
 #include <Eigen/LU>
 #include <numbers>
 
-#include "core/input_error.hpp"
-#include "core/yaml_reader.hpp"
+#include "tests/reading.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 
 namespace lookout::tracking {
 namespace {
 
 InitiatorConfig read(const std::string& text) {
-  InitiatorConfig config;
-  read_initiator_config(core::YamlMap::load_text(text, "test.yaml"), config);
-  return config;
+  return testing::read_yaml(read_initiator_config, text);
 }
 
 TEST(InitiatorConfig, ReadsItsKeysWithTheirUnits) {

@@ -5,15 +5,13 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/input_error.hpp"
+#include "tests/reading.hpp"
 
 namespace lookout::tracking {
 namespace {
 
 TbdParams read(const std::string& text) {
-  TbdParams params;
-  read_tbd_params(core::YamlMap::load_text(text, "config"), params);
-  return params;
+  return testing::read_yaml(read_tbd_params, text);
 }
 
 TEST(FrameTrackerRegistry, MakesEveryMethodItNames) {
