@@ -15,7 +15,7 @@ namespace lookout::tools {
 namespace {
 
 constexpr double kStartPositionSigma = 2.0;  // [px], of the start that every method is given
-constexpr double kStartVelocitySigma = 0.2;  // [px/frame]
+constexpr double kStartVelocitySigma = 0.2;  // [px/scan]; docs/track_before_detect.md on the unit
 constexpr int kTimedRuns = 1;                // the printed forms take seconds; times hardly vary
 constexpr int kPictureScenario = 5;          // as [Pakfiliz2018] Figures 2 and 3
 constexpr double kGreyScale = 256.0;         // grey levels to 16 bits
@@ -42,8 +42,8 @@ VideoRun make_video(int number, bool hard, std::uint64_t seed, int run) {
   for (std::size_t k = 1; k < video.samples.size(); ++k)
     video.frames.push_back(
         tracking::pdim_frame(video.samples[k - 1].grey, video.samples[k].grey, size, size, pdim, random));
-  const Eigen::Array4d sigma(kStartPositionSigma, kStartPositionSigma, kStartVelocitySigma,
-                             kStartVelocitySigma);
+  const double velocity_sigma = kStartVelocitySigma / video.scenario.frame_step;  // [px/frame], as the state
+  const Eigen::Array4d sigma(kStartPositionSigma, kStartPositionSigma, velocity_sigma, velocity_sigma);
   video.start << video.samples[0].centroid, stand_in.velocity(0);
   for (int i = 0; i < 4; ++i) video.start[i] += random.gaussian(sigma[i]);
   video.start_covariance = sigma.square().matrix().asDiagonal();

@@ -18,6 +18,8 @@ void CellMeasurement::update(const IntensityFrame& frame, const CellGeometry& ge
     for (std::size_t k = 0; k < clouds_.size(); ++k)
       if (clouds_[k].active) correct(geometry, clouds_[k], tracks[k]);
   }
+  for (std::size_t k = 0; k < tracks.size(); ++k)
+    tracks[k].measured = clouds_[k].active && clouds_[k].intensity >= params_.min_intensity;
   for (std::size_t k = 0; k < clouds_.size(); ++k)
     if (clouds_[k].active)
       tracks[k].intensity += (1.0 - params_.intensity_memory) * (clouds_[k].intensity - tracks[k].intensity);

@@ -16,6 +16,7 @@ struct CellTrack {
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
   double existence = 0.0;
   double intensity = 0.0;  ///< Smoothed lambda [background level].
+  bool measured = false;   ///< Whether the last frame held intensity of its signature.
   bool confirmed = false;
   bool inside = true;           ///< In the image at the last frame.
   int age = 0;                  ///< Frames since its first.

@@ -127,13 +127,20 @@ void CellTracker::judge(const CellGeometry& geometry, double time) {
     if (track.inside && !view.inside) track.outside_since = time;
     track.inside = view.inside;
     if (!view.inside) continue;
-    const double rank =
-        filter_.rank(filter_.block_maximum(static_cast<int>(view.cell.x()), static_cast<int>(view.cell.y())));
+    const double rank = rank_of(track, view);
     const double ratio = p.rank_exponent * std::pow(rank, p.rank_exponent - 1.0);
     track.existence = ratio * track.existence / (ratio * track.existence + 1.0 - track.existence);
     if (rank < kEchoRank) track.last_echo_time = time;
     if (track.existence > p.confirm_existence && track.age >= p.min_age) track.confirmed = true;
   }
+}
+
+/// A block may be bright by a neighbour that the track itself does not reach: where the frame held nothing of
+/// its signature the block is no echo of it, and ranks last.
+double CellTracker::rank_of(const CellTrack& track, const CellView& view) const {
+  if (!track.measured) return 1.0;
+  return filter_.rank(
+      filter_.block_maximum(static_cast<int>(view.cell.x()), static_cast<int>(view.cell.y())));
 }
 
 void CellTracker::end_tracks(double time) {

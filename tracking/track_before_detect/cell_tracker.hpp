@@ -114,6 +114,7 @@ class CellTracker : public CellTargetTracker {
   void predict(double time);
   void leave_out_confirmed(const CellGeometry& geometry);
   void judge(const CellGeometry& geometry, double time);
+  double rank_of(const CellTrack& track, const CellView& view) const;
   void end_tracks(double time);
   void merge(const CellGeometry& geometry);
   void start_tracks(const CellGeometry& geometry, double time);

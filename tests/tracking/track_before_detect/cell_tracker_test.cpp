@@ -37,6 +37,22 @@ TEST(CellTracker, ATrackWithoutItsTargetEnds) {
       std::any_of(tracks.begin(), tracks.end(), [](const CellTrack& track) { return track.confirmed; }));
 }
 
+// Its block holds the brightest peak of the frame all the time, yet it takes nothing of it: a track beside a
+// target, once confirmed, held the target's place with an error of metres.
+TEST(CellTracker, ABrightBlockThatATrackDoesNotMeasureConfirmsNothing) {
+  core::Random random(1002);
+  CellTrackerParams params;
+  params.measurement.min_intensity = 1e6;
+  CellTracker tracker(params);
+  const PixelGeometry geometry(120, 80);
+  for (int t = 0; t < 20; ++t) {
+    for (const CellTrack& track : tracker.update(blobs({{50.0, 40.0}}, 6.0, random), geometry, t)) {
+      EXPECT_FALSE(track.confirmed) << t;
+      EXPECT_FALSE(track.measured) << t;
+    }
+  }
+}
+
 TEST(CellTracker, RefusesParametersOutOfRange) {
   CellTrackerParams params;
   params.existence.survival = 0.0;
