@@ -17,7 +17,7 @@ struct JointCloudParams {
   int refresh_rounds = 3;     ///< Most rounds of adaptive importance sampling a refresh, >= 1.
   double proposal_scale = 1.1;     ///< Standard deviations of the proposal over those of the cloud, >= 1.
   double tail_freedom = 6.0;       ///< Degrees of freedom of the proposal's t distribution, > 2.
-  int moves = 2;                   ///< Steps of a random walk after resampling, >= 1.
+  int moves = 8;                   ///< Steps of a random walk after resampling, >= 1.
   double move_scale = 0.6;         ///< Their standard deviations over those of the cloud, > 0.
   double enough_effective = 50.0;  ///< Trajectories that carry a cloud that is as good as it gets, > 0.
   double trusted_share = 0.08;     ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
@@ -42,7 +42,7 @@ struct JointObserverParams {
 /// Births: pairs of echoes that no track explains, scored backwards.
 struct JointBirthParams {
   double expected_targets = 2.0;  ///< In the field of view at any time, > 0; the prior density of births.
-  double interior_rate = 0.001;   ///< Targets that appear inside the field of view, per scan, > 0.
+  double interior_rate = 0.004;   ///< Targets that appear inside the field of view, per scan, > 0.
   double window_s = 20.0;         ///< Longest stretch that a new target is scored over [s], > 0.
   double enough_nats =
       30.0;                  ///< Information that is enough to weigh a new target [nats], > 0: twice what the
@@ -92,7 +92,7 @@ struct JointManoeuvreParams {
 
 /// When tracks begin, are confirmed and end.
 struct JointLifeParams {
-  double tentative_log_odds = -7.0;  ///< Existence from which a track is kept. docs/tracker.md.
+  double tentative_log_odds = -6.0;  ///< Existence from which a track is kept. docs/tracker.md.
   double end_log_odds = -3.0;        ///< Existence below which a track that was confirmed ends.
   double mean_life_s = 500.0;        ///< Mean time after which a target vanishes in view [s], > 0.
   double coast_s = 10.0;             ///< How long a track is kept since it was last in view [s], >= 0.
