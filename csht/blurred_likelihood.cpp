@@ -5,12 +5,7 @@
 #include <cmath>
 
 #include "csht/fast_math.hpp"
-
-#if defined(__x86_64__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define LOOKOUT_VECTOR_CLONES __attribute__((target_clones("avx2", "default")))
-#else
-#define LOOKOUT_VECTOR_CLONES
-#endif
+#include "csht/vector_clones.hpp"
 
 namespace lookout::csht {
 namespace {

@@ -66,7 +66,7 @@ void ClaimSet::claim_beams(const ScanTable& scan, double existence, BeamMask& ma
   for (std::size_t i = 0; i < range_.size(); ++i) {
     const double beam = static_cast<double>(bearing_[i]) / scan.bearing_step + 0.5 * scan.num_beams;
     const auto range = static_cast<double>(range_[i]);
-    if (beam < 0.0 || beam >= scan.num_beams || range > scan.max_range) continue;
+    if (!(beam >= 0.0 && beam < scan.num_beams && range <= scan.max_range)) continue;  // NaN too.
     const auto index = static_cast<std::size_t>(beam);
     if (weight_[index] == 0.0) touched_.push_back(static_cast<int>(index));
     weight_[index] += 1.0;

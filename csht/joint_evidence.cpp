@@ -53,7 +53,7 @@ void start_product(double log_birth, std::span<const double> log_ratio, std::spa
                    std::span<double> product) {
   for (std::size_t i = 0; i < product.size(); ++i) {
     product[i] = 1.0;
-    birth[i] = std::exp(log_birth - log_ratio[i]);
+    birth[i] = std::isfinite(log_birth) ? std::exp(log_birth - log_ratio[i]) : 0.0;
   }
 }
 
@@ -76,6 +76,8 @@ bool in_view(const ScanTable& scan, const Eigen::Vector2d& p_earth) {
 JointEvidence::JointEvidence(const JointEvidenceParams& params)
     : params_(params), normal_(normal_sequence()) {
   require(params.samples >= TargetHypothesis::kSamples, "samples must be >= 32", params.samples);
+  require(params.screen_samples >= TargetHypothesis::kSamples, "screen_samples must be >= 32",
+          params.screen_samples);
   require(params.stages >= 1, "stages must be >= 1", params.stages);
   require(params.verdict_samples >= TargetHypothesis::kSamples, "verdict_samples must be >= 32",
           params.verdict_samples);
@@ -87,7 +89,8 @@ JointEvidence::JointEvidence(const JointEvidenceParams& params)
           params.wide_scale);
   require(params.wide_share > 0.0 && params.wide_share < 1.0, "wide_share must be in (0, 1)",
           params.wide_share);
-  const auto size = static_cast<std::size_t>(std::max(params.samples, params.verdict_samples));
+  const auto size =
+      static_cast<std::size_t>(std::max({params.samples, params.screen_samples, params.verdict_samples}));
   for (auto* values : {&north_, &east_, &north_velocity_, &east_velocity_, &log_proposal_, &log_ratio_,
                        &weight_, &product_, &birth_})
     values->resize(size);

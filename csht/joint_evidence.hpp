@@ -15,9 +15,9 @@ bool in_view(const ScanTable& scan, const Eigen::Vector2d& p_earth);
 
 /// Adaptive importance sampling of one trajectory.
 struct JointEvidenceParams {
-  int samples = 160;        ///< Per stage, >= 32.
-  int screen_samples = 64;  ///< Of the first of several stages, which most candidates do not survive, >= 32.
-  int stages = 3;           ///< Stages of a candidate that stays hopeful, >= 1; the last one counts.
+  int samples = 160;          ///< Of the last stage, >= 32.
+  int screen_samples = 64;    ///< Of each stage before it, which most candidates do not survive, >= 32.
+  int stages = 3;             ///< Stages of a candidate that stays hopeful, >= 1; the last one counts.
   Tolerance first{1.2, 0.5};  ///< Of the first stage; the last stage has `last`.
   Tolerance last{1.0, 0.04};
   Tolerance verdict{1.0, 0.01};  ///< Of the verdict, which has the samples for sharper edges.

@@ -13,6 +13,8 @@ JointSearch::JointSearch(const JointSearchParams& params)
       clusters_(params.clusters),
       evidence_(params.evidence) {
   if (params.pool < 1) throw std::invalid_argument("pool must be >= 1, got " + std::to_string(params.pool));
+  if (!(params.second_look >= 0.0))
+    throw std::invalid_argument("second_look must be >= 0, got " + std::to_string(params.second_look));
   const auto size = static_cast<std::size_t>(params.pool + params.seeds.keep);
   candidates_.reserve(2 * size);
   targets_.reserve(size);

@@ -21,9 +21,9 @@ struct JointSearchParams {
   double accept_above = 0.0;  ///< Log odds of existence from which a candidate is a target [nats].
   double cluster_above =
       -7.0;  ///< Log odds of a seed's best suffix from which it is worth clustering [nats].
-  double evaluate_above = -9.0;  ///< Laplace log odds from which a candidate is worth sampling [nats].
-  double second_look = 3.0;  ///< Candidates that fail by less have the verdict's many samples, >= 0 [nats].
+  double evaluate_above = -9.0;      ///< Laplace log odds from which a candidate is worth sampling [nats].
   double sample_again_above = -4.0;  ///< The same of one sampled before, for what its score gained since.
+  double second_look = 3.0;  ///< Candidates that fail by less have the verdict's many samples, >= 0 [nats].
 };
 
 /// The targets that a window of scans holds beside those already known: seeds, clusters, evidence, and a

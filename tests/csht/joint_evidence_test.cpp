@@ -125,8 +125,23 @@ TEST(JointEvidence, ATargetThatCameLateHasItsEvidenceByBirths) {
   EXPECT_NEAR(with - without, 17.6 - 7.6, 0.6);
 }
 
+// More samples in the first stages than in any later one find room, and the same peak.
+TEST(JointEvidence, ScreensWithAnyNumberOfSamples) {
+  const auto history =
+      testing::history_of(testing::noisy_scans({kCourse}, 20, 9, 1004), testing::noisy_figures());
+  JointEvidence evidence({.samples = 160, .screen_samples = 2000});
+  ClaimSet claims;
+  claims.clear(history, 20);
+  core::Random random(6);
+  TargetHypothesis hypothesis = start();
+  evidence.evaluate(history, 20, claims, TrajectoryPrior({.interior_birth_rate = 0.0, .max_speed = 5.0}), 3,
+                    random, hypothesis);
+  EXPECT_GT(hypothesis.log_odds, 10.0);
+}
+
 TEST(JointEvidence, RefusesNonsense) {
   EXPECT_THROW(JointEvidence({.samples = 4}), std::invalid_argument);
+  EXPECT_THROW(JointEvidence({.screen_samples = 4}), std::invalid_argument);
   EXPECT_THROW(JointEvidence({.stages = 0}), std::invalid_argument);
   EXPECT_THROW(JointEvidence({.proposal_scale = 3.0, .wide_scale = 2.0}), std::invalid_argument);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <stdexcept>
+
 #include <algorithm>
 
 #include "tests/csht/joint_scenes.hpp"
@@ -74,6 +76,14 @@ TEST(JointSearch, LeavesOutWhatIsKnown) {
 
 TEST(JointSearch, FindsNothingInClutter) {
   EXPECT_TRUE(search(testing::noisy_scans({}, 40, 9, 1006)).empty());
+}
+
+TEST(JointSearch, RefusesNonsense) {
+  JointSearchParams no_pool, negative;
+  no_pool.pool = 0;
+  negative.second_look = -1.0;
+  EXPECT_THROW(JointSearch{no_pool}, std::invalid_argument);
+  EXPECT_THROW(JointSearch{negative}, std::invalid_argument);
 }
 
 }  // namespace
