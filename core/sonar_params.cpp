@@ -46,6 +46,7 @@ void read_sonar_params(const YamlMap& map, SonarParams& params) {
   params.position_sigma = map.number("position_sigma", params.position_sigma, kNotNegative);
   params.max_speed = map.number("max_speed", params.max_speed, kPositive);
   params.scan_period = map.number("scan_period", params.scan_period, kPositive);
+  params.latency = map.number("latency", params.latency, {0, 60});
   read_optional(map, "miss_probability", params.miss_probability, kProbability);
   read_optional(map, "false_alarm_probability", params.false_alarm_probability, kProbability);
   read_optional(map, "clutter_per_scan", params.clutter_per_scan, kNotNegative);
@@ -81,6 +82,7 @@ std::string to_yaml(const SonarParams& params) {
   if (params.position_sigma > 0.0) line("position_sigma", params.position_sigma);
   line("max_speed", params.max_speed);
   line("scan_period", params.scan_period);
+  if (params.latency > 0.0) line("latency", params.latency);
   if (params.miss_probability) line("miss_probability", *params.miss_probability);
   if (params.false_alarm_probability) line("false_alarm_probability", *params.false_alarm_probability);
   if (params.clutter_per_scan) line("clutter_per_scan", *params.clutter_per_scan);

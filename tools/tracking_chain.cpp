@@ -5,6 +5,7 @@
 #include "core/input_error.hpp"
 #include "tools/log.hpp"
 #include "tracking/estimating_tracker.hpp"
+#include "tracking/late_scan_tracker.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -30,10 +31,12 @@ tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configur
     if (configuration.lag > 0 && !tracker->can_retrodict())
       throw core::InputError("--lag: tracker " + configuration.tracker.name +
                              " has no delayed output, expected 0");
+    if (!tracker->has_estimator())
+      tracker = std::make_unique<tracking::EstimatingTracker>(
+          std::move(tracker), csht::make_estimator(estimator.name, estimator, sensor, seed));
+    tracker = tracking::make_up_for_latency(std::move(tracker), sensor);
     if (configuration.explain) tracker->explain_to(&log_decision);
-    if (tracker->has_estimator()) return tracker;
-    return std::make_unique<tracking::EstimatingTracker>(
-        std::move(tracker), csht::make_estimator(estimator.name, estimator, sensor, seed));
+    return tracker;
   };
 }
 

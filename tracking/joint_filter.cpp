@@ -66,7 +66,7 @@ void JointFilter::take_scan(JointTrack& track, JointState& state) {
   const double evidence = track.cloud.reweigh(track.log_ratio);
   track.log_odds += evidence;
   track.highest_log_odds = std::max(track.highest_log_odds, track.log_odds);
-  const bool tells = !shared && !track.out_of_view;
+  const bool tells = !track.out_of_view && !(shared && state.likelihood.contested(self, track.moments.mean));
   track.recent.add(evidence, tells ? nats_per_scan(scans.figures(), scans.newest()) : evidence);
   const double enough = cloud_.refresh_share * static_cast<double>(track.cloud.size());
   if (track.cloud.curved || track.cloud.effective_size() < enough) refresh(track, state);

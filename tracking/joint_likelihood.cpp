@@ -88,6 +88,23 @@ const csht::BeamMask* JointLikelihood::mask(int age, int self, int beam) {
   return any ? &mask_ : nullptr;
 }
 
+bool JointLikelihood::contested(int self, const CloudMoments::Vector6& mean) {
+  const csht::ScanTable& scan = scans_.newest();
+  if (scan.clutter != csht::ClutterModel::point)
+    return mask(0, self, std::max(0, beam_at(scan, mean[0], mean[1]))) != nullptr;
+  const double north = mean[0] - scan.T_earth_sonar.north, east = mean[1] - scan.T_earth_sonar.east;
+  const double range = std::hypot(north, east), azimuth = std::atan2(east, north);
+  return std::any_of(claims_at(0).begin(), claims_at(0).end(), [&](const Claim& claim) {
+    if (claim.owner == self || existence_[static_cast<std::size_t>(claim.owner)] < kLeastExistence)
+      return false;
+    const core::Detection& echo = scan.detections[static_cast<std::size_t>(claim.index)];
+    const double dr = (echo.range - range) * static_cast<double>(scan.inverse_sigma);
+    const double db =
+        core::wrap_to_pi(echo.azimuth - azimuth) * static_cast<double>(scan.inverse_bearing_sigma);
+    return dr * dr + db * db <= kCompatibleSigmas * kCompatibleSigmas;
+  });
+}
+
 // An echo that does not fit the owner of its beam is no proof of another target: the owner may be next door.
 void JointLikelihood::claim_beam(const csht::ScanTable& scan, const Claim& claim, double share) {
   csht::claim_beam(scan, claim.index, static_cast<double>(claim.range), share, mask_);

@@ -66,6 +66,10 @@ class JointLikelihood {
   const csht::BeamMask* mask(int age, int self, int beam);
   static constexpr int kNeighbourhood = 10;
 
+  /// Whether what the others claim of the newest scan may be an echo of a target at `mean`; taken for granted
+  /// of beams that others claim near it.
+  bool contested(int self, const CloudMoments::Vector6& mean);
+
   /// Probability that a track made an echo of that scan, judged by the claims on its beam and both neighbours
   /// and by its range. @param index beam, or index of the detection of a point sensor.
   double explained(int age, int index, double range) const;

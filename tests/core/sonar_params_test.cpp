@@ -41,6 +41,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   params.bearing_sigma = radians(0.5);
   params.heading_sigma = radians(1.0);
   params.position_sigma = 0.5;
+  params.latency = 1.25;
   SonarParams back;
   read_sonar_params(YamlMap::load_text(to_yaml(params), "t"), back);
   EXPECT_EQ(back.num_beams, params.num_beams);
@@ -50,6 +51,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   EXPECT_NEAR(*back.bearing_sigma, *params.bearing_sigma, 1e-15);
   EXPECT_NEAR(back.heading_sigma, params.heading_sigma, 1e-15);
   EXPECT_EQ(back.position_sigma, 0.5);
+  EXPECT_EQ(back.latency, 1.25);
   EXPECT_FALSE(back.false_alarm_probability);
 }
 

@@ -89,6 +89,8 @@ TEST(Scene, ErrorsNamePlaceAndWhatIsAccepted) {
             std::string::npos);
   EXPECT_NE(error_of("duration: -5\n" + sonar).find("scene.yaml:1:11: duration: got `-5`"),
             std::string::npos);
+  EXPECT_NE(error_of("duration: 5\nsonar: {latency: 1}\n").find("latency: is of real sensors"),
+            std::string::npos);
   EXPECT_NE(error_of("duration: 5\nsonar: {miss_probability: 0}\n").find("false_alarm_probability"),
             std::string::npos);
   EXPECT_NE(error_of("duration: 5\n" + sonar +

@@ -6,6 +6,7 @@
 
 #include "core/input_error.hpp"
 #include "tools/experiments/simulated_run.hpp"
+#include "tracking/late_scan_tracker.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -37,6 +38,13 @@ TEST(TrackerMaker, RefusesADelayThatTheTrackerCannotGive) {
   EXPECT_THROW(tracker_maker(configuration, 1)({}), core::InputError);
   configuration.tracker.name = "joint";
   EXPECT_TRUE(tracker_maker(configuration, 1)({})->can_retrodict());
+}
+
+TEST(TrackerMaker, MakesUpForTheLatencyOfTheSensor) {
+  core::SonarParams late;
+  late.latency = 1.0;
+  EXPECT_NE(dynamic_cast<tracking::LateScanTracker*>(tracker_maker(plain("gnn"), 1)(late).get()), nullptr);
+  EXPECT_EQ(dynamic_cast<tracking::LateScanTracker*>(tracker_maker(plain("gnn"), 1)({}).get()), nullptr);
 }
 
 core::VehicleState still(std::int64_t utime) {

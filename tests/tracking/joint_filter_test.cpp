@@ -52,5 +52,19 @@ TEST(JointFilter, BehindASureTrackNothingIsLearnt) {
   EXPECT_NEAR(behind.log_odds, 1.0, 0.01);
 }
 
+// Without beams: two targets 60 m apart tell of their motion both; before, either's claims silenced the
+// other.
+TEST(JointFilter, OfAPointSensorAClaimElsewhereLeavesATracksMotionToBeJudged) {
+  core::SonarParams radar = clear_sonar();
+  radar.false_alarm_probability.reset();
+  radar.clutter_per_scan = 1.0;
+  JointState state({}, radar, 1);
+  state.likelihood.push(scan_of(0, {{60.0, 0.5}, {120.0, 0.5}}));
+  add_track(state, {120.0, 0.5, 0.0, 0.0}, 5.0);
+  JointTrack& missed = add_track(state, {69.0, 0.5, 0.0, 0.0}, 5.0);  // Three sigma off its echo.
+  JointFilter({}).update(state);
+  EXPECT_LT(missed.recent.sum(1), missed.recent.expected(1) - 1.0);
+}
+
 }  // namespace
 }  // namespace lookout::tracking

@@ -72,6 +72,32 @@ TEST(JointLikelihood, ForgetsClaims) {
   EXPECT_EQ(likelihood.mask(1, 1, 45), nullptr);
 }
 
+// A sensor without beams, 1 degree and 3 m: 4 m behind a claimed echo it may be one's own, 10 m behind or 8
+// degrees beside it (more than 2.5 sigma) not.
+TEST(JointLikelihood, AClaimedPointIsContestedNearItAlone) {
+  core::SonarParams sonar;
+  sonar.clutter_per_scan = 1.0;
+  sonar.bearing_sigma = core::radians(1.0);
+  JointLikelihood likelihood(csht::figures_of(sonar), {.clutter = csht::ClutterModel::point}, {}, 10, 4);
+  likelihood.push(scan_of(0, {{60.0, 0.0}}));
+  likelihood.add_claim(0, {1, 0, 60.0F, 1.0F});
+  const auto at = [](double north, double east) { return one_at(north, east).moments().mean; };
+  EXPECT_FALSE(likelihood.contested(0, at(64.0, 0.0)));  // The owner is not sure to exist yet.
+  likelihood.set_existence(1, 1.0);
+  EXPECT_TRUE(likelihood.contested(0, at(64.0, 0.0)));
+  EXPECT_FALSE(likelihood.contested(0, at(70.0, 0.0)));
+  EXPECT_FALSE(likelihood.contested(0, at(60.0, 8.4)));
+  EXPECT_FALSE(likelihood.contested(1, at(60.0, 0.0)));  // Its own claim.
+}
+
+TEST(JointLikelihood, ABeamIsContestedByClaimsNearby) {
+  JointLikelihood likelihood = two_scans();
+  EXPECT_FALSE(likelihood.contested(0, one_at(90.0, 0.5).moments().mean));
+  likelihood.add_claim(0, {1, 45, 60.0F, 1.0F});
+  likelihood.set_existence(1, 1.0);
+  EXPECT_TRUE(likelihood.contested(0, one_at(90.0, 0.5).moments().mean));
+}
+
 TEST(JointLikelihood, ACurvedTrajectoryIsScoredWhereItWas) {
   JointLikelihood likelihood = two_scans();
   JointCloud cloud = one_at(60.0, 0.5);

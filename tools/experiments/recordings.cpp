@@ -8,7 +8,10 @@
 #include <string>
 
 #include "core/recording.hpp"
+#include "tools/configuration.hpp"
 #include "tools/experiments/tracking_run.hpp"
+#include "tools/paths.hpp"
+#include "tracking/late_scan_tracker.hpp"
 #include "tracking/metrics/track_quality.hpp"
 #include "tracking/tracker_registry.hpp"
 
@@ -24,9 +27,18 @@ struct Scenario {
 constexpr std::array kScenarios{Scenario{2, 20.0}, Scenario{13, 20.0}, Scenario{16, 20.0},
                                 Scenario{17, 10.0}};
 
+constexpr const char* kConfiguration = "/data/autoferry_radar.yaml";
+
 std::string data_directory() {
   const char* data = std::getenv("LOOKOUT_DATA");
   return data == nullptr ? std::string() : std::string(data) + "/autoferry";
+}
+
+/// What the recordings' sonar.yaml does not say of their radar.
+core::SonarParams radar() {
+  Options options;
+  options.config = tools_directory() + kConfiguration;
+  return load_configuration(options).sensor;
 }
 
 const Scenario& scenario_of(const Cell& cell) {
@@ -112,12 +124,13 @@ class Recordings : public Experiment {
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
     const Scenario& scenario = scenario_of(cell);
     const auto recording =
-        core::read_recording(data_directory() + "/scenario" + std::to_string(scenario.number));
+        core::read_recording(data_directory() + "/scenario" + std::to_string(scenario.number), radar());
     auto scans = timed_scans(recording);
-    const auto sonar = recording.params.value_or(core::SonarParams{});
+    const auto sonar = recording.params.value_or(radar());
     csht::EstimatorParams estimator;
     estimator.name = "csht";
-    const auto tracker = tracking::make_tracker(cell.method, {}, sonar, estimator, run_seed(seed, run));
+    const auto tracker = tracking::make_up_for_latency(
+        tracking::make_tracker(cell.method, {}, sonar, estimator, run_seed(seed, run)), sonar);
     const TrackingOutput output = track(*tracker, scans);
     mark_in_sight(scans);
     tracking::TrackQuality quality({.gate = scenario.gate});

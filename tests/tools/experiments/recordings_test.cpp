@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "tools/configuration.hpp"
+#include "tools/paths.hpp"
+
 namespace lookout::tools {
 namespace {
 
@@ -37,6 +40,13 @@ TEST(Recordings, InSightFromTheFirstToTheLastStretchOfFiveWithThree) {
 TEST(Recordings, NeverInSightWhereItIsHardlyHeard) {
   const auto visible = in_sight(scans_heard({1, 0, 0, 1, 0, 0, 1, 0, 0}));
   EXPECT_EQ(std::count(visible.begin(), visible.end(), true), 0);
+}
+
+// One turn of the antenna takes 1.68 s, see the data's README; a scan is stamped after it.
+TEST(Recordings, TheRadarsConfigurationStatesItsLatency) {
+  Options options;
+  options.config = tools_directory() + "/data/autoferry_radar.yaml";
+  EXPECT_NEAR(load_configuration(options).sensor.latency, 1.68, 0.4);
 }
 
 TEST(Recordings, RunsWhereTheDataAre) {
