@@ -51,10 +51,16 @@ double ScanHistory::seconds_at_age(int age) const {
 void ScanHistory::set_figures(const SensorFigures& figures) {
   validate(figures);
   figures_ = figures;
-  for (int age = 0; age < size_; ++age) {
-    ScanTable& table = tables_[static_cast<std::size_t>((newest_ - age + capacity()) % capacity())];
-    csht::set_figures(figures_, model_, table);
-  }
+  for (int age = 0; age < size_; ++age) csht::set_figures(figures_, model_, table_at(age));
+}
+
+ScanTable& ScanHistory::table_at(int age) {
+  assert(age >= 0 && age < size_);
+  return tables_[static_cast<std::size_t>((newest_ - age + capacity()) % capacity())];
+}
+
+void ScanHistory::set_heading_error(int age, const HeadingError& error) {
+  csht::set_heading_error(error, figures_, table_at(age));
 }
 
 void ScanHistory::clear() {

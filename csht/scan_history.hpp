@@ -31,9 +31,13 @@ class ScanHistory {
   void set_figures(const SensorFigures& figures);
   const SensorFigures& figures() const { return figures_; }
   const SensorModelParams& model() const { return model_; }
+
+  /// Turns the scan of that age to the heading that is now believed.
+  void set_heading_error(int age, const HeadingError& error);
   void clear();
 
  private:
+  ScanTable& table_at(int age);
   void make_room(std::size_t returns, std::size_t slots);
 
   SensorFigures figures_;

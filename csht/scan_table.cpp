@@ -57,12 +57,18 @@ void set_point_figures(const SensorFigures& figures, ScanTable& table) {
 }
 
 void set_blur(const SensorFigures& figures, ScanTable& table) {
-  const bool exact =
-      table.clutter == ClutterModel::point || (figures.heading_sigma <= 0.0 && figures.position_sigma <= 0.0);
-  table.blur_heading = static_cast<float>(figures.heading_sigma / table.bearing_step);
+  const double sigma = table.heading_error ? table.heading_error->sigma : figures.heading_sigma;
+  const bool exact = table.clutter == ClutterModel::point || (sigma <= 0.0 && figures.position_sigma <= 0.0);
+  table.blur_heading = static_cast<float>(sigma / table.bearing_step);
   table.blur_position = static_cast<float>(figures.position_sigma / table.bearing_step);
-  const double heading = kBlurSigmas * figures.heading_sigma / table.bearing_step;
+  const double heading = kBlurSigmas * sigma / table.bearing_step;
   table.blur_reach = exact ? 0 : std::clamp(static_cast<int>(std::ceil(heading)), 1, kMostBlurReach);
+}
+
+void set_axis(double axis, ScanTable& table) {
+  table.axis = core::wrap_to_pi(axis);
+  table.cos_axis = std::cos(table.axis);
+  table.sin_axis = std::sin(table.axis);
 }
 
 void fill_slots(ScanTable& table) {
@@ -89,10 +95,9 @@ int fill_scan_table(const core::PosedScan& posed, ScanTable& table) {
   const double sector = scan.num_beams * scan.bearing_step;
   table.utime = scan.utime;
   table.T_earth_sonar = posed.T_earth_sonar;
-  table.axis = core::wrap_to_pi(posed.T_earth_sonar.heading + scan.first_bearing +
-                                0.5 * (scan.num_beams - 1) * scan.bearing_step);
-  table.cos_axis = std::cos(table.axis);
-  table.sin_axis = std::sin(table.axis);
+  table.heading_error.reset();
+  set_axis(posed.T_earth_sonar.heading + scan.first_bearing + 0.5 * (scan.num_beams - 1) * scan.bearing_step,
+           table);
   table.first_bearing = scan.first_bearing;
   table.bearing_step = scan.bearing_step;
   table.max_range = scan.max_range;
@@ -112,6 +117,18 @@ void set_figures(const SensorFigures& figures, const SensorModelParams& model, S
     set_point_figures(figures, table);
   else
     set_beam_figures(figures, model, table);
+  set_blur(figures, table);
+}
+
+void set_heading_error(const HeadingError& error, const SensorFigures& figures, ScanTable& table) {
+  const double turn = error.mean - (table.heading_error ? table.heading_error->mean : 0.0);
+  table.heading_error = error;
+  table.T_earth_sonar.heading = core::wrap_to_pi(table.T_earth_sonar.heading + turn);
+  set_axis(table.axis + turn, table);
+  for (core::Detection& echo : table.detections) {
+    echo.azimuth = core::wrap_to_pi(echo.azimuth + turn);
+    echo.p_earth = echo.p_earth_sonar + core::from_polar(echo.range, echo.azimuth);
+  }
   set_blur(figures, table);
 }
 

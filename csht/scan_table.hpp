@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/detection.hpp"
@@ -9,12 +10,19 @@
 
 namespace lookout::csht {
 
+/// What is known of the error of a scan's heading, beyond that such errors happen.
+struct HeadingError {
+  double mean = 0.0;   ///< True heading minus the stated one [rad].
+  double sigma = 0.0;  ///< Standard deviation of the rest [rad], >= 0.
+};
+
 /// One scan laid out for the likelihood: where the sonar was and, beam by beam, what it returned. Arrays over
 /// beams have one slot more at either end (slot = beam + 1): outside the sector nothing is learnt; where the
 /// sector is the whole circle, the slots repeat the beams across the seam.
 struct ScanTable {
   std::int64_t utime = 0;
-  core::Pose2 T_earth_sonar;
+  core::Pose2 T_earth_sonar;  ///< As stated, but for the mean of `heading_error`.
+  std::optional<HeadingError> heading_error;
   double axis = 0.0;                      ///< Azimuth of the middle of the sector [rad].
   double cos_axis = 1.0, sin_axis = 0.0;  ///< Of `axis`.
   double first_bearing = 0.0;             ///< Centre of beam 0 in the sonar frame [rad].
@@ -52,5 +60,8 @@ int fill_scan_table(const core::PosedScan& scan, ScanTable& table);
 
 /// Writes the figures into a filled table: what an echo, a silence and a foreign echo are worth.
 void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table);
+
+/// Turns a filled table with figures to the heading that is now believed, as uncertain as it is now.
+void set_heading_error(const HeadingError& error, const SensorFigures& figures, ScanTable& table);
 
 }  // namespace lookout::csht

@@ -44,6 +44,7 @@ class JointLikelihood {
   void push(const core::PosedScan& scan);
   const csht::ScanHistory& scans() const { return scans_; }
   void set_figures(const csht::SensorFigures& figures) { scans_.set_figures(figures); }
+  void set_heading_error(int age, const csht::HeadingError& error) { scans_.set_heading_error(age, error); }
 
   /// How sure the owner of a slot is to exist; its claims count by that much. Below `kLeastExistence` they
   /// do not count.

@@ -110,6 +110,13 @@ void validate(const JointLearningParams& p) {
   require(p.target_samples >= 1, "target_samples must be >= 1", p.target_samples);
 }
 
+void validate(const JointHeadingParams& p) {
+  require(p.steps >= 1, "heading steps must be >= 1", p.steps);
+  require(p.reach_sigmas > 0.0, "reach_sigmas must be > 0", p.reach_sigmas);
+  require(p.least_existence > 0.0 && p.least_existence <= 1.0, "least_existence must be in (0, 1]",
+          p.least_existence);
+}
+
 }  // namespace
 
 void validate(const JointTrackerParams& params) {
@@ -121,6 +128,7 @@ void validate(const JointTrackerParams& params) {
   validate(params.life);
   validate(params.report);
   validate(params.learning);
+  validate(params.heading);
 }
 
 }  // namespace lookout::tracking

@@ -117,6 +117,13 @@ struct JointReportParams {
   double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
 };
 
+/// The error of a heading that the targets of a scan share.
+struct JointHeadingParams {
+  int steps = 6;                 ///< Of the grid to either side of the stated heading, >= 1.
+  double reach_sigmas = 2.5;     ///< How far the grid reaches, in standard deviations of a heading, > 0.
+  double least_existence = 0.5;  ///< Of tracks that tell, in (0, 1].
+};
+
 /// What the tracks teach of the sensor.
 struct JointLearningParams {
   double least_change = 0.01;  ///< Relative change of a sensor figure that is worth a rewrite, > 0.
@@ -133,6 +140,7 @@ struct JointTrackerParams {
   JointLifeParams life;
   JointReportParams report;
   JointLearningParams learning;
+  JointHeadingParams heading;
 };
 
 /// @throws std::invalid_argument showing the value that is out of range.

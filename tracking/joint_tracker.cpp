@@ -19,6 +19,7 @@ JointTracker::JointTracker(const JointTrackerParams& params, const core::SonarPa
       state_(params, sonar, seed),
       unseen_(params.birth, sonar.max_speed),
       filter_(params),
+      heading_(params.heading),
       onset_(params, sonar.max_speed, std::move(births)),
       ending_(params.life),
       output_(params.report, state_.random),
@@ -45,6 +46,7 @@ void JointTracker::take(const core::PosedScan& scan) {
   unseen_.update(scans.newest(), scans.figures(), seconds);
   state_.retrodiction.forget_before(scans.at_age(scans.size() - 1).utime);
   filter_.predict(seconds, state_);
+  heading_.refine(state_);
 }
 
 std::span<const core::Track> JointTracker::retrodict(std::int64_t utime) {

@@ -9,6 +9,7 @@
 #include "tracking/birth.hpp"
 #include "tracking/joint_ending.hpp"
 #include "tracking/joint_filter.hpp"
+#include "tracking/joint_heading.hpp"
 #include "tracking/joint_learning.hpp"
 #include "tracking/joint_onset.hpp"
 #include "tracking/joint_output.hpp"
@@ -46,6 +47,7 @@ class JointTracker : public Tracker {
   JointState state_;
   JointUnseen unseen_;
   JointFilter filter_;
+  JointHeading heading_;
   JointOnset onset_;
   JointEnding ending_;
   JointOutput output_;

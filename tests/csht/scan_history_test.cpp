@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 
 #include "tests/csht/posed_scans.hpp"
@@ -29,6 +30,24 @@ TEST(ScanHistory, RewritesTheFiguresOfAllTables) {
   for (int k = 0; k < 3; ++k) history.push(posed_scan({}, 500'000 * k));
   history.set_figures({.miss_probability = 0.6, .false_alarm_probability = 0.2});
   for (int age = 0; age < 3; ++age) EXPECT_FLOAT_EQ(history.at_age(age).base[10], 0.75F);  // 0.6 / 0.8.
+}
+
+// The later word on a heading replaces the one before; it outlives new figures.
+TEST(ScanHistory, TurnsAScanToTheHeadingThatIsBelieved) {
+  ScanHistory history({.heading_sigma = core::radians(2.0)}, {}, 3);
+  for (int k = 0; k < 2; ++k) history.push(posed_scan({{0.0, 60.0, 1}}, 500'000 * k));
+  const double stated = history.at_age(1).T_earth_sonar.heading;
+  history.set_heading_error(1, {0.5, 0.0});
+  history.set_heading_error(1, {0.1, core::radians(0.4)});
+  history.set_figures({.miss_probability = 0.6, .heading_sigma = core::radians(2.0)});
+  const ScanTable& turned = history.at_age(1);
+  EXPECT_NEAR(turned.T_earth_sonar.heading, stated + 0.1, 1e-12);
+  EXPECT_NEAR(turned.axis, history.newest().axis + 0.1, 1e-12);
+  EXPECT_NEAR(turned.detections[0].azimuth, history.newest().detections[0].azimuth + 0.1, 1e-12);
+  EXPECT_NEAR((turned.detections[0].p_earth - history.newest().detections[0].p_earth).norm(),
+              2.0 * 60.0 * std::sin(0.05), 1e-9);
+  EXPECT_EQ(turned.blur_reach, 1);  // Two sigma: 0.8 of a beam of one degree; of the scan not spoken of, 4.
+  EXPECT_EQ(history.newest().blur_reach, 4);
 }
 
 TEST(ScanHistory, RefusesBadFigures) {

@@ -48,6 +48,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"manoeuvre prior", [](auto& p) { p.manoeuvre.prior = 0.0; }},
         BadValue{"in_view_share", [](auto& p) { p.life.in_view_share = 0.0; }},
         BadValue{"published_tentative", [](auto& p) { p.report.published_tentative = 1.5; }},
+        BadValue{"heading steps must be >= 1, got 0", [](auto& p) { p.heading.steps = 0; }},
         BadValue{"target_samples", [](auto& p) { p.learning.target_samples = 0; }}));
 
 }  // namespace
