@@ -220,7 +220,7 @@ bool JointBirth::refine(const JointLikelihood& likelihood, std::size_t index, Bi
 void JointBirth::weigh(JointLikelihood& likelihood, int oldest) {
   lines_.resize(seeds_.size());
   for (std::size_t k = 0; k < seeds_.size(); ++k) {
-    const CloudMoments::Vector6& mean = seeds_[k].guess.mean;
+    const Trajectory& mean = seeds_[k].guess.mean;
     lines_.north[k] = mean[0];
     lines_.east[k] = mean[1];
     lines_.north_velocity[k] = mean[2];

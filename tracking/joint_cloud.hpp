@@ -1,38 +1,47 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "csht/sensor_likelihood.hpp"
+#include "tracking/joint_motion.hpp"
 
 namespace lookout::tracking {
 
-/// Mean and covariance of a cloud over (north, east, north velocity, east velocity, north acceleration, east
-/// acceleration).
+/// Mean and covariance of a cloud's trajectories.
 struct CloudMoments {
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
-  using Matrix6 = Eigen::Matrix<double, 6, 6>;
-  Vector6 mean = Vector6::Zero();
-  Matrix6 covariance = Matrix6::Zero();
+  Motion motion = Motion::line;
+  Trajectory mean = Trajectory::Zero();
+  TrajectoryCovariance covariance = TrajectoryCovariance::Zero();
 };
 
-/// Weighted trajectories of one target, each at the time of the newest scan: position, velocity and, for a
-/// target that manoeuvres, a constant acceleration, earth frame, SI. Arrays of one size; the weights sum
-/// to 1.
+/// Weighted trajectories of one target, each at the time of the newest scan: position, velocity and what
+/// their motion needs, earth frame, SI. Arrays of one size; the weights sum to 1.
 class JointCloud {
  public:
-  std::vector<double> north, east, north_velocity, east_velocity, north_acceleration, east_acceleration;
+  std::vector<double> north, east, north_velocity, east_velocity;
+  std::vector<double> north_acceleration, east_acceleration;  ///< Of a bend.
+  std::vector<double> turn_rate;                              ///< Of a turn.
   std::vector<double> weight;
-  bool curved = false;  ///< Whether the accelerations are used; else they are zero.
+  Motion motion = Motion::line;  ///< Of all trajectories.
 
   void resize(std::size_t size);
   void reserve(std::size_t size);  ///< Memory for as many, so that later sizes allocate nothing.
   std::size_t size() const { return north.size(); }
 
+  Trajectory trajectory(std::size_t i) const;
+
+  /// The arrays that the motion uses, in the order of a `Trajectory`'s components; null beyond.
+  std::array<double*, 6> components();
+  std::array<const double*, 6> components() const;
+
   /// Moves every trajectory on by `seconds`.
   void predict(double seconds);
+
+  /// Where every trajectory is `seconds` from now, to the positions of `at`. Vectorised.
+  void place(double seconds, JointCloud& at) const;
 
   /// Takes the log-likelihood ratios of a new scan into the weights.
   /// @return ln of the mean likelihood ratio before the scan, the evidence for the target.
@@ -40,7 +49,6 @@ class JointCloud {
 
   double effective_size() const;
   CloudMoments moments() const;
-  int dimensions() const { return curved ? 6 : 4; }
   csht::HypothesisSpan span() const { return {north, east, north_velocity, east_velocity}; }
 };
 

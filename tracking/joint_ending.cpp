@@ -15,7 +15,7 @@ void JointEnding::end_twins(JointState& state) const {
 }
 
 bool JointEnding::twins(const JointTrack& a, const JointTrack& b) const {
-  const CloudMoments::Vector6 offset = a.moments.mean - b.moments.mean;
+  const Trajectory offset = a.moments.mean - b.moments.mean;
   return offset.head<2>().norm() <= params_.twin_distance &&
          offset.segment<2>(2).norm() <= params_.twin_speed;
 }

@@ -69,7 +69,7 @@ void JointFilter::take_scan(JointTrack& track, JointState& state) {
   const bool tells = !track.out_of_view && !(shared && state.likelihood.contested(self, track.moments.mean));
   track.recent.add(evidence, tells ? nats_per_scan(scans.figures(), scans.newest()) : evidence);
   const double enough = cloud_.refresh_share * static_cast<double>(track.cloud.size());
-  if (track.cloud.curved || track.cloud.effective_size() < enough) refresh(track, state);
+  if (track.cloud.motion == Motion::bend || track.cloud.effective_size() < enough) refresh(track, state);
   track.moments = track.cloud.moments();
 }
 
@@ -78,16 +78,15 @@ void JointFilter::refresh(JointTrack& track, JointState& state) {
   SamplingTask task;
   task.guess = track.cloud.moments();
   // A cloud that one scan has cut down to a few trajectories says little of its own spread.
-  const double rest = std::min(1.0, track.cloud.dimensions() / track.cloud.effective_size());
+  const double rest = std::min(1.0, dimensions(track.cloud.motion) / track.cloud.effective_size());
   task.guess.covariance += rest * track.moments.covariance;
   task.ages = memory_of(track, state.scans(), memory_);
   task.self = state.slot_of(track);
   task.samples = cloud_.trajectories;
   task.rounds = cloud_.refresh_rounds;
-  task.curved = track.cloud.curved;
-  if (task.curved)
+  if (track.cloud.motion != Motion::line)
     task.anchor = manoeuvre_.anchor(task.guess, state.scans().seconds_at_age(task.ages.oldest));
-  if (track.log_odds >= life_.settled_log_odds && !track.cloud.curved) {
+  if (track.log_odds >= life_.settled_log_odds && track.cloud.motion != Motion::bend) {
     state.sampler.move(task, state.likelihood, state.random, track.cloud);
     track.claims_are_fresh = false;
     return;
@@ -105,8 +104,8 @@ void JointFilter::refresh(JointTrack& track, JointState& state) {
 // docs/tracker.md.
 bool JointFilter::estimates_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
                                  const JointState& state) const {
-  const bool whole_life = track.remembers_birth && !track.cloud.curved &&
-                          ages.oldest == state.scans().pushed() - 1 - track.first_scan;
+  const bool whole_life =
+      track.remembers_birth && ages.oldest == state.scans().pushed() - 1 - track.first_scan;
   return whole_life && track.log_odds < life_.settled_log_odds &&
          result.effective_share > cloud_.trusted_share;
 }
@@ -125,15 +124,18 @@ void JointFilter::judge_motion(JointTrack& track, JointState& state) {
 
 void JointFilter::change_model(const JointManoeuvre::Judgement& judgement, JointTrack& track,
                                const JointState& state) const {
-  const bool curve = judgement.verdict == JointManoeuvre::Verdict::curve;
+  const bool straight = track.cloud.motion == Motion::line;
   track.first_scan = state.scans().pushed() - 1 - judgement.oldest;
   track.remembers_birth = false;
   // What the line lost by not bending was no evidence against the target.
-  if (curve)
+  if (!straight)
     track.log_odds =
         std::max(track.log_odds, std::min(track.log_odds + judgement.evidence, life_.settled_log_odds));
-  state.decide(track, curve ? DecisionKind::manoeuvre : DecisionKind::straighten, judgement.evidence,
-               curve ? "a curve explains the latest scans better" : "a straight line explains them as well");
+  if (track.cloud.motion == Motion::turn) track.recent.clear();
+  state.decide(track, straight ? DecisionKind::straighten : DecisionKind::manoeuvre, judgement.evidence,
+               straight                             ? "a straight line explains the latest scans as well"
+               : track.cloud.motion == Motion::turn ? "a turn explains the latest scans better"
+                                                    : "a curve explains the latest scans better");
 }
 
 }  // namespace lookout::tracking

@@ -25,10 +25,6 @@ int beam_at(const csht::ScanTable& scan, double north, double east) {
       std::floor(static_cast<double>(bearing) / scan.bearing_step + 0.5 * scan.num_beams));
 }
 
-Eigen::Vector2d position_at(const CloudMoments::Vector6& mean, double seconds) {
-  return mean.head<2>() + seconds * mean.segment<2>(2) + 0.5 * seconds * seconds * mean.tail<2>();
-}
-
 JointLikelihood::JointLikelihood(const csht::SensorFigures& figures, const csht::SensorModelParams& model,
                                  const csht::Tolerance& tolerance, int capacity, int max_owners)
     : tolerance_(tolerance), scans_(figures, model, capacity), claims_(static_cast<std::size_t>(capacity)) {
@@ -88,7 +84,7 @@ const csht::BeamMask* JointLikelihood::mask(int age, int self, int beam) {
   return any ? &mask_ : nullptr;
 }
 
-bool JointLikelihood::contested(int self, const CloudMoments::Vector6& mean) {
+bool JointLikelihood::contested(int self, const Trajectory& mean) {
   const csht::ScanTable& scan = scans_.newest();
   if (scan.clutter != csht::ClutterModel::point)
     return mask(0, self, std::max(0, beam_at(scan, mean[0], mean[1]))) != nullptr;
@@ -126,13 +122,13 @@ double JointLikelihood::explained(int age, int index, double range) const {
   return std::min(sum, 1.0);
 }
 
-void JointLikelihood::add(const JointCloud& cloud, const CloudMoments::Vector6& mean, const AgeSpan& ages,
-                          int self, std::span<double> log_ratio) {
+void JointLikelihood::add(const JointCloud& cloud, const Trajectory& mean, const AgeSpan& ages, int self,
+                          std::span<double> log_ratio) {
   for (int age = ages.oldest; age >= ages.newest; --age) {
     if (ages.log_birth) csht::add_births(*ages.log_birth, log_ratio);
     const csht::BeamMask* others = nullptr;
     if (self != kEverybody && !claims_at(age).empty()) {
-      const Eigen::Vector2d at = position_at(mean, scans_.seconds_at_age(age));
+      const Eigen::Vector2d at = position_at(cloud.motion, mean, scans_.seconds_at_age(age));
       others = mask(age, self, std::max(0, beam_at(scans_.at_age(age), at.x(), at.y())));
     }
     add_scan(cloud, age, others, log_ratio);
@@ -142,18 +138,11 @@ void JointLikelihood::add(const JointCloud& cloud, const CloudMoments::Vector6& 
 void JointLikelihood::add_scan(const JointCloud& cloud, int age, const csht::BeamMask* mask,
                                std::span<double> log_ratio) {
   const double seconds = scans_.seconds_at_age(age);
-  if (!cloud.curved) {
+  if (cloud.motion == Motion::line) {
     csht::add_log_ratio(scans_.at_age(age), mask, cloud.span(), seconds, tolerance_, log_ratio);
     return;
   }
-  moved_.resize(cloud.size());
-  const double half_square = 0.5 * seconds * seconds;
-  for (std::size_t i = 0; i < cloud.size(); ++i) {
-    moved_.north[i] =
-        cloud.north[i] + seconds * cloud.north_velocity[i] + half_square * cloud.north_acceleration[i];
-    moved_.east[i] =
-        cloud.east[i] + seconds * cloud.east_velocity[i] + half_square * cloud.east_acceleration[i];
-  }
+  cloud.place(seconds, moved_);
   csht::add_log_ratio(scans_.at_age(age), mask, moved_.span(), 0.0, tolerance_, log_ratio);
 }
 

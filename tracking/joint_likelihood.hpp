@@ -59,7 +59,7 @@ class JointLikelihood {
   /// left out; with births, `log_ratio` is zero before. The sum over the beginnings is
   /// Q_t = (Q_{t-1} + birth) L_t, oldest first, as in docs/estimator.md.
   /// @param mean of the trajectories, near which claims matter.
-  void add(const JointCloud& cloud, const CloudMoments::Vector6& mean, const AgeSpan& ages, int self,
+  void add(const JointCloud& cloud, const Trajectory& mean, const AgeSpan& ages, int self,
            std::span<double> log_ratio);
 
   /// The claims of all but `self` on the scan of this age as a mask; null where nothing is claimed. Valid
@@ -69,7 +69,7 @@ class JointLikelihood {
 
   /// Whether what the others claim of the newest scan may be an echo of a target at `mean`; taken for granted
   /// of beams that others claim near it.
-  bool contested(int self, const CloudMoments::Vector6& mean);
+  bool contested(int self, const Trajectory& mean);
 
   /// Probability that a track made an echo of that scan, judged by the claims on its beam and both neighbours
   /// and by its range. @param index beam, or index of the detection of a point sensor.
@@ -92,8 +92,5 @@ class JointLikelihood {
 
 /// The beam in which the scan has an earth-frame position; out of 0 .. num_beams - 1 outside the sector.
 int beam_at(const csht::ScanTable& scan, double north, double east);
-
-/// Position on a trajectory of this mean at `seconds` from its time.
-Eigen::Vector2d position_at(const CloudMoments::Vector6& mean, double seconds);
 
 }  // namespace lookout::tracking

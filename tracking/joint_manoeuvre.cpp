@@ -2,44 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
+#include <utility>
 
 #include "tracking/joint_memory.hpp"
 
 namespace lookout::tracking {
-SamplingTask JointManoeuvre::task(const Suspect& suspect, const AgeSpan& ages, bool curved) const {
+JointManoeuvre::JointManoeuvre(const JointManoeuvreParams& params, int trajectories)
+    : params_(params), samples_(2 * trajectories) {
+  other_.reserve(static_cast<std::size_t>(samples_));
+}
+
+SamplingTask JointManoeuvre::task(const Suspect& suspect, const AgeSpan& ages, Motion motion) const {
   SamplingTask task;
-  task.guess = suspect.track.moments;
-  const double position = params_.position_slack, velocity = params_.velocity_slack,
-               acceleration = params_.acceleration_slack;
-  for (int k = 0; k < 2; ++k) {
-    task.guess.covariance(k, k) += position * position;
-    task.guess.covariance(k + 2, k + 2) += velocity * velocity;
-    if (!suspect.track.cloud.curved) task.guess.covariance(k + 4, k + 4) += acceleration * acceleration;
-  }
+  task.guess = loosened(suspect.track.moments, motion);
   task.ages = ages;
   task.self = suspect.slot;
-  task.samples = 2 * trajectories_;
+  task.samples = samples_;
   task.rounds = params_.rounds;
-  task.curved = curved;
   return task;
 }
 
-SamplingTask JointManoeuvre::anchored_task(const Suspect& suspect, const AgeSpan& ages, bool curved,
+SamplingTask JointManoeuvre::anchored_task(const Suspect& suspect, const AgeSpan& ages, Motion motion,
                                            const csht::ScanHistory& scans) const {
-  SamplingTask result = task(suspect, ages, curved);
+  SamplingTask result = task(suspect, ages, motion);
   result.anchor = anchor(suspect.track.moments, scans.seconds_at_age(ages.oldest));
   return result;
 }
 
-Anchor JointManoeuvre::anchor(const CloudMoments& moments, double seconds) const {
-  Eigen::Matrix<double, 4, 6> back = Eigen::Matrix<double, 4, 6>::Zero();
-  for (int k = 0; k < 2; ++k) {
-    back(k, k) = back(k + 2, k + 2) = 1.0;
-    back(k, k + 2) = back(k + 2, k + 4) = seconds;
-    back(k, k + 4) = 0.5 * seconds * seconds;
+// The moments as those of another motion, and as wide as a manoeuvre may have led the target off.
+CloudMoments JointManoeuvre::loosened(const CloudMoments& moments, Motion motion) const {
+  CloudMoments result = moments;
+  result.motion = motion;
+  const Eigen::Vector2d velocity = moments.mean.segment<2>(2), acceleration = moments.mean.tail<2>();
+  if (motion != moments.motion) {
+    result.mean.tail<2>().setZero();
+    result.covariance.bottomRows<2>().setZero();
+    result.covariance.rightCols<2>().setZero();
+    if (motion == Motion::bend && moments.motion == Motion::turn)
+      result.mean.tail<2>() = moments.mean[4] * Eigen::Vector2d(-velocity.y(), velocity.x());
+    if (motion == Motion::turn && moments.motion == Motion::bend)
+      result.mean[4] = (velocity.x() * acceleration.y() - velocity.y() * acceleration.x()) /
+                       std::max(velocity.squaredNorm(), params_.velocity_slack * params_.velocity_slack);
+    const double slack = motion == Motion::turn ? params_.turn_slack : params_.acceleration_slack;
+    result.covariance.diagonal().tail<2>().setConstant(slack * slack);
   }
-  Anchor anchor{seconds, back * moments.mean, back * moments.covariance * back.transpose()};
+  result.covariance.diagonal().head<2>().array() += params_.position_slack * params_.position_slack;
+  result.covariance.diagonal().segment<2>(2).array() += params_.velocity_slack * params_.velocity_slack;
+  return result;
+}
+
+Anchor JointManoeuvre::anchor(const CloudMoments& moments, double seconds) const {
+  const StateMoments then = state_moments_at(moments.motion, moments.mean, moments.covariance, seconds);
+  Anchor anchor{seconds, then.mean, then.covariance};
   anchor.covariance.diagonal().head<2>().array() += params_.position_slack * params_.position_slack;
   anchor.covariance.diagonal().tail<2>().array() += params_.velocity_slack * params_.velocity_slack;
   return anchor;
@@ -47,75 +62,93 @@ Anchor JointManoeuvre::anchor(const CloudMoments& moments, double seconds) const
 
 JointManoeuvre::Judgement JointManoeuvre::judge(const Suspect& suspect, JointLikelihood& likelihood,
                                                 JointSampler& sampler, core::Random& random,
-                                                JointCloud& cloud) const {
-  return suspect.track.cloud.curved ? leave_curve(suspect, likelihood, sampler, random, cloud)
-                                    : leave_line(suspect, likelihood, sampler, random, cloud);
+                                                JointCloud& cloud) {
+  const Bench bench{likelihood, sampler, random, cloud};
+  const int window = oldest_of_window(likelihood.scans());
+  const Motion motion = suspect.track.cloud.motion;
+  if (motion == Motion::bend) return compare(suspect, window, bench);
+  const bool young = suspect.memory.oldest <= params_.young_windows * window;
+  if (motion == Motion::turn && young) return compare(suspect, suspect.memory.oldest, bench);
+  return doubt(suspect, bench);
 }
 
 int JointManoeuvre::oldest_of_window(const csht::ScanHistory& scans) const {
-  return oldest_of_curve({.curve_s = params_.window_s, .curve_scans = params_.least_scans}, scans);
+  return oldest_of_bend({.bend_s = params_.window_s, .bend_scans = params_.least_scans}, scans);
 }
 
-// Whether the line explains the latest scans so poorly that a curve is worth its computing.
+// Whether the motion explains the latest scans so poorly that another is worth its computing.
 bool JointManoeuvre::doubtful(const RecentEvidence& recent, int scans) const {
   const int few = std::min(scans, params_.sudden_scans);
   return recent.sum(scans) < params_.trigger_share * recent.expected(scans) ||
          recent.sum(few) < recent.expected(few) - params_.sudden_nats;
 }
 
-// The line is judged by how well it predicted the window's scans one by one (were it the best line of a young
-// track); the curve by its evidence over them, starting about where the line was.
-JointManoeuvre::Judgement JointManoeuvre::leave_line(const Suspect& suspect, JointLikelihood& likelihood,
-                                                     JointSampler& sampler, core::Random& random,
-                                                     JointCloud& cloud) const {
+// A motion is judged by how well it predicted the window's scans one by one (were it the best of a young
+// track); what may take its place by the evidence over them, starting about where the target was.
+JointManoeuvre::Judgement JointManoeuvre::doubt(const Suspect& suspect, const Bench& bench) {
   const RecentEvidence& recent = suspect.track.recent;
-  const int oldest = std::min(oldest_of_window(likelihood.scans()), recent.size() - 1);
+  const int oldest = std::min(oldest_of_window(bench.likelihood.scans()), recent.size() - 1);
   Judgement judgement;
   if (oldest < params_.least_scans || !doubtful(recent, oldest + 1)) return judgement;
   judgement.oldest = oldest;
   const bool young = suspect.track.remembers_birth && recent.size() <= params_.young_windows * (oldest + 1);
-  const double gain = young ? gain_of_other_line(suspect, likelihood, sampler, random, cloud) : 0.0;
+  const double gain = young ? gain_of_other_line(suspect, bench) : 0.0;
   if (gain > params_.redraw_nats) {
     judgement.evidence = gain;
     judgement.verdict = Verdict::redraw;
     return judgement;
   }
-  const SamplingTask bent = anchored_task(suspect, {0, oldest}, true, likelihood.scans());
-  const SamplingResult curve = sampler.sample(bent, likelihood, random, cloud);
-  judgement.evidence = curve.log_evidence + std::log(params_.prior) - recent.sum(oldest + 1);
-  const double needed = curve.effective_share > params_.trusted_share ? 0.0 : params_.rough_nats;
-  if (judgement.evidence > needed) judgement.verdict = Verdict::curve;
+  const double needed = recent.sum(oldest + 1) - std::log(params_.prior);
+  double best =
+      try_motion(Motion::bend, -std::numeric_limits<double>::infinity(), suspect, {0, oldest}, bench);
+  if (best > needed - params_.hopeless_nats) {
+    best = try_motion(Motion::turn, best, suspect, {0, oldest}, bench);
+    if (suspect.track.cloud.motion != Motion::line)
+      best = try_motion(Motion::line, best, suspect, {0, oldest}, bench);
+  }
+  judgement.evidence = best - needed;
+  if (judgement.evidence > 0.0) judgement.verdict = Verdict::change;
   return judgement;
 }
 
-// By how much the best line about the present one explains the whole life better; `cloud` holds it.
-double JointManoeuvre::gain_of_other_line(const Suspect& suspect, JointLikelihood& likelihood,
-                                          JointSampler& sampler, core::Random& random,
-                                          JointCloud& cloud) const {
-  SamplingTask present = task(suspect, suspect.memory, false);
+// The evidence for a motion over some scans, less what is not believed of it. Where it is better than `best`,
+// `bench.cloud` holds its trajectories; else the answer is `best`.
+double JointManoeuvre::try_motion(Motion motion, double best, const Suspect& suspect, const AgeSpan& ages,
+                                  const Bench& bench) {
+  const SamplingTask task = anchored_task(suspect, ages, motion, bench.likelihood.scans());
+  const SamplingResult result = bench.sampler.sample(task, bench.likelihood, bench.random, other_);
+  const bool trusted = result.effective_share > params_.trusted_share;
+  const double evidence = result.log_evidence - (trusted ? 0.0 : params_.rough_nats);
+  if (evidence <= best) return best;
+  std::swap(other_, bench.cloud);
+  return evidence;
+}
+
+// By how much the best line about the present one explains the whole life better; `bench.cloud` holds it.
+double JointManoeuvre::gain_of_other_line(const Suspect& suspect, const Bench& bench) const {
+  const auto sample = [&](const SamplingTask& task) {
+    return bench.sampler.sample(task, bench.likelihood, bench.random, bench.cloud);
+  };
+  SamplingTask present = task(suspect, suspect.memory, Motion::line);
   present.guess = suspect.track.moments;
-  const SamplingResult own = sampler.sample(present, likelihood, random, cloud);
-  const SamplingResult other =
-      sampler.sample(task(suspect, suspect.memory, false), likelihood, random, cloud);
+  const SamplingResult own = sample(present);
+  const SamplingResult other = sample(task(suspect, suspect.memory, Motion::line));
   return other.effective_share > params_.trusted_share ? other.log_evidence - own.log_evidence : 0.0;
 }
 
-// Both models from the same vague start: the line wins by needing less.
-JointManoeuvre::Judgement JointManoeuvre::leave_curve(const Suspect& suspect, JointLikelihood& likelihood,
-                                                      JointSampler& sampler, core::Random& random,
-                                                      JointCloud& cloud) const {
-  Judgement judgement;
-  judgement.oldest = oldest_of_window(likelihood.scans());
-  const AgeSpan window{0, judgement.oldest};
-  const csht::ScanHistory& scans = likelihood.scans();
-  const SamplingResult curve =
-      sampler.sample(anchored_task(suspect, window, true, scans), likelihood, random, cloud);
-  const SamplingResult line =
-      sampler.sample(anchored_task(suspect, window, false, scans), likelihood, random, cloud);
-  judgement.evidence = line.log_evidence - curve.log_evidence;
-  if (judgement.evidence > params_.straighten_nats && line.effective_share > params_.trusted_share)
-    judgement.verdict = Verdict::straighten;
-  return judgement;
+// All motions from the same vague start: a line or a turn wins by needing less.
+JointManoeuvre::Judgement JointManoeuvre::compare(const Suspect& suspect, int oldest, const Bench& bench) {
+  const AgeSpan window{0, oldest};
+  const Motion motion = suspect.track.cloud.motion;
+  const SamplingTask same = anchored_task(suspect, window, motion, bench.likelihood.scans());
+  const double present = bench.sampler.sample(same, bench.likelihood, bench.random, other_).log_evidence;
+  const bool bent = motion == Motion::bend;
+  const double needed = present + (bent ? 0.0 : params_.bend_nats);
+  const double curve = try_motion(bent ? Motion::turn : Motion::bend, needed, suspect, window, bench);
+  const double line_needs = std::max(curve, present + params_.straighten_nats);
+  const double line = try_motion(Motion::line, line_needs, suspect, window, bench);
+  const bool better = curve > needed || line > line_needs;
+  return {better ? Verdict::change : Verdict::keep, std::max(curve, line) - present, oldest};
 }
 
 }  // namespace lookout::tracking

@@ -8,22 +8,21 @@
 
 namespace lookout::tracking {
 
-/// Two motion models a track: a straight line with the long memory, and a constant acceleration over the last
-/// seconds alone, which a slow turn is too. Each is held against the other on the latest scans. A young track
-/// that fits poorly may also be on the wrong line: that is tried first.
+/// Three motions a track: a straight line and a turn at a constant rate, which are remembered for as long as
+/// they fit, and a constant acceleration over the last seconds alone. Each is held against the others on the
+/// latest scans. A young track that fits poorly may also be on the wrong line: that is tried first.
 class JointManoeuvre {
  public:
-  JointManoeuvre(const JointManoeuvreParams& params, int trajectories)
-      : params_(params), trajectories_(trajectories) {}
+  JointManoeuvre(const JointManoeuvreParams& params, int trajectories);
 
-  enum class Verdict { keep, curve, straighten, redraw };
+  enum class Verdict { keep, change, redraw };
   struct Judgement {
     Verdict verdict = Verdict::keep;
     double evidence = 0.0;  ///< In favour of the change [nats].
-    int oldest = 0;         ///< Age from which the new model holds.
+    int oldest = 0;         ///< Age from which the new motion holds.
   };
 
-  /// Where a trajectory that bends was `seconds` (<= 0) from now: about where the track's mean was, give or
+  /// Where a trajectory was `seconds` (<= 0) from now: about where the track's mean was, give or
   /// take what a manoeuvre may have led it off.
   Anchor anchor(const CloudMoments& moments, double seconds) const;
 
@@ -34,25 +33,33 @@ class JointManoeuvre {
     AgeSpan memory;  ///< The scans that it remembers.
   };
 
-  /// Judges a track after its update; where the model (or the line) changes, `cloud` holds its trajectories.
+  /// Judges a track after its update; where the motion (or the line) changes, `cloud` holds its trajectories.
   Judgement judge(const Suspect& suspect, JointLikelihood& likelihood, JointSampler& sampler,
-                  core::Random& random, JointCloud& cloud) const;
+                  core::Random& random, JointCloud& cloud);
 
  private:
-  Judgement leave_line(const Suspect& suspect, JointLikelihood& likelihood, JointSampler& sampler,
-                       core::Random& random, JointCloud& cloud) const;
-  Judgement leave_curve(const Suspect& suspect, JointLikelihood& likelihood, JointSampler& sampler,
-                        core::Random& random, JointCloud& cloud) const;
-  double gain_of_other_line(const Suspect& suspect, JointLikelihood& likelihood, JointSampler& sampler,
-                            core::Random& random, JointCloud& cloud) const;
+  /// What a motion is tried with.
+  struct Bench {
+    JointLikelihood& likelihood;
+    JointSampler& sampler;
+    core::Random& random;
+    JointCloud& cloud;  ///< Of the verdict.
+  };
+  Judgement doubt(const Suspect& suspect, const Bench& bench);
+  Judgement compare(const Suspect& suspect, int oldest, const Bench& bench);
+  double try_motion(Motion motion, double best, const Suspect& suspect, const AgeSpan& ages,
+                    const Bench& bench);
+  double gain_of_other_line(const Suspect& suspect, const Bench& bench) const;
   int oldest_of_window(const csht::ScanHistory& scans) const;
   bool doubtful(const RecentEvidence& recent, int scans) const;
-  SamplingTask task(const Suspect& suspect, const AgeSpan& ages, bool curved) const;
-  SamplingTask anchored_task(const Suspect& suspect, const AgeSpan& ages, bool curved,
+  SamplingTask task(const Suspect& suspect, const AgeSpan& ages, Motion motion) const;
+  SamplingTask anchored_task(const Suspect& suspect, const AgeSpan& ages, Motion motion,
                              const csht::ScanHistory& scans) const;
+  CloudMoments loosened(const CloudMoments& moments, Motion motion) const;
 
   JointManoeuvreParams params_;
-  int trajectories_;
+  int samples_;
+  JointCloud other_;  ///< Of a motion that is tried.
 };
 
 }  // namespace lookout::tracking

@@ -10,14 +10,14 @@ int oldest_within(double seconds, const csht::ScanHistory& scans) {
   return oldest;
 }
 
-int oldest_of_curve(const JointMemory& memory, const csht::ScanHistory& scans) {
-  return std::max(oldest_within(memory.curve_s, scans), std::min(memory.curve_scans, scans.size() - 1));
+int oldest_of_bend(const JointMemory& memory, const csht::ScanHistory& scans) {
+  return std::max(oldest_within(memory.bend_s, scans), std::min(memory.bend_scans, scans.size() - 1));
 }
 
 AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const JointMemory& memory) {
   AgeSpan ages;
-  if (track.cloud.curved) {
-    ages.oldest = oldest_of_curve(memory, scans);
+  if (track.cloud.motion == Motion::bend) {
+    ages.oldest = oldest_of_bend(memory, scans);
     return ages;
   }
   const std::int64_t since_first = scans.pushed() - 1 - track.first_scan;

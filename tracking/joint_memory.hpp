@@ -8,17 +8,17 @@ namespace lookout::tracking {
 
 /// How far back a track's likelihood reaches.
 struct JointMemory {
-  double line_s = 60.0;    ///< Of a straight trajectory [s].
-  double curve_s = 8.0;    ///< Of a curved one [s], but
-  int curve_scans = 7;     ///< at least so many scans before the newest, however slowly they come.
+  double line_s = 60.0;    ///< Of a line and of a turn [s].
+  double bend_s = 8.0;     ///< Of a bend [s], but
+  int bend_scans = 7;      ///< at least so many scans before the newest, however slowly they come.
   double log_birth = 0.0;  ///< AgeSpan::log_birth, of a track that remembers its birth.
 };
 
 /// Age of the oldest scan that is at most `seconds` older than the newest; 0 at least.
 int oldest_within(double seconds, const csht::ScanHistory& scans);
 
-/// The same of a curved trajectory's memory.
-int oldest_of_curve(const JointMemory& memory, const csht::ScanHistory& scans);
+/// The same of a bend's memory.
+int oldest_of_bend(const JointMemory& memory, const csht::ScanHistory& scans);
 
 /// The scans that a track remembers: since its first, as far as its motion model holds.
 AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const JointMemory& memory);

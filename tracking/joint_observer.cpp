@@ -9,9 +9,7 @@ namespace lookout::tracking {
 namespace {
 
 Eigen::Vector2d moved(const JointCloud& cloud, std::size_t i, double seconds) {
-  const double half_square = 0.5 * seconds * seconds;
-  return {cloud.north[i] + seconds * cloud.north_velocity[i] + half_square * cloud.north_acceleration[i],
-          cloud.east[i] + seconds * cloud.east_velocity[i] + half_square * cloud.east_acceleration[i]};
+  return position_at(cloud.motion, cloud.trajectory(i), seconds);
 }
 
 double total_weight(const JointCloud& cloud, std::size_t stride) {

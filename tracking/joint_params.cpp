@@ -34,7 +34,9 @@ void validate(const JointCloudParams& p) {
   require(p.position_floor > 0.0, "position_floor must be > 0", p.position_floor);
   require(p.velocity_floor > 0.0, "velocity_floor must be > 0", p.velocity_floor);
   require(p.acceleration_floor > 0.0, "acceleration_floor must be > 0", p.acceleration_floor);
+  require(p.turn_floor > 0.0, "turn_floor must be > 0", p.turn_floor);
   require(p.acceleration_prior > 0.0, "acceleration_prior must be > 0", p.acceleration_prior);
+  require(p.turn_prior > 0.0, "turn_prior must be > 0", p.turn_prior);
 }
 
 void validate(const JointObserverParams& p) {
@@ -76,6 +78,9 @@ void validate(const JointManoeuvreParams& p) {
   require(p.position_slack > 0.0, "position_slack must be > 0", p.position_slack);
   require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);
   require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);
+  require(p.turn_slack > 0.0, "turn_slack must be > 0", p.turn_slack);
+  require(p.hopeless_nats >= 0.0, "hopeless_nats must be >= 0", p.hopeless_nats);
+  require(p.bend_nats >= 0.0, "bend_nats must be >= 0", p.bend_nats);
   require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)", p.trusted_share);
 }
 

@@ -27,9 +27,11 @@ struct JointCloudParams {
   double speed_edge = 0.2;  ///< Beyond the limit the prior of speeds falls off with this sigma [m/s], > 0.
   double position_floor = 0.05;       ///< Least standard deviations that are proposed, > 0: [m],
   double velocity_floor = 0.01;       ///< [m/s] and
-  double acceleration_floor = 0.005;  ///< [m/s^2].
+  double acceleration_floor = 0.005;  ///< [m/s^2] or
+  double turn_floor = 0.0005;         ///< [rad/s].
   double acceleration_prior = 0.2;  ///< Standard deviation of each component of a manoeuvre [m/s^2], > 0: up
                                     ///< to 0.3 m/s^2 are asked for.
+  double turn_prior = 0.07;  ///< Standard deviation of a turn rate [rad/s], > 0: up to 6 deg/s are asked for.
 };
 
 /// How a track sees itself in a scan, and what it claims there.
@@ -82,12 +84,15 @@ struct JointManoeuvreParams {
   double position_slack = 2.0;       ///< How far a manoeuvre may have led off the line [m], > 0,
   double velocity_slack = 0.5;       ///< [m/s], > 0, and
   double acceleration_slack = 0.15;  ///< [m/s^2], > 0, one standard deviation each.
-  double straighten_nats = 2.5;      ///< Evidence for the line that ends a manoeuvre.
-  int young_windows = 2;             ///< A track of at most so many windows may be on a wrong line, >= 0.
-  double redraw_nats = 1.0;          ///< Evidence for another line that is worth the change, > 0.
-  double rough_nats = 8.0;           ///< Evidence that is believed of a cloud below `trusted_share`.
-  double trusted_share = 0.08;       ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
-  double least_log_odds = 2.0;       ///< Existence that a track must have reached to be judged.
+  double turn_slack = 0.07;          ///< Of a turn rate [rad/s], > 0.
+  double straighten_nats = 2.5;      ///< Evidence for the line that ends a bend or a young turn, and
+  double bend_nats = 1.0;            ///< for the bend that ends a young turn.
+  int young_windows = 2;        ///< A line or a turn of at most so many windows may be a wrong one, >= 0.
+  double redraw_nats = 1.0;     ///< Evidence for another line that is worth the change, > 0.
+  double hopeless_nats = 4.0;   ///< A bend that falls this much short is not worth a look at the rest, >= 0.
+  double rough_nats = 8.0;      ///< Evidence that is believed of a cloud below `trusted_share`.
+  double trusted_share = 0.08;  ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
+  double least_log_odds = 2.0;  ///< Existence that a track must have reached to be judged.
 };
 
 /// When tracks begin, are confirmed and end.

@@ -53,16 +53,12 @@ std::span<const core::Track> JointRetrodiction::at(std::int64_t utime, std::span
 void JointRetrodiction::add(const Retired& track, std::int64_t utime, const csht::ScanTable& scan) {
   if (utime < track.first_utime || utime > track.last_utime) return;
   const double seconds = core::seconds(utime - track.utime);
-  Eigen::Matrix<double, 4, 6> back = Eigen::Matrix<double, 4, 6>::Zero();
-  for (int k = 0; k < 2; ++k) {
-    back(k, k) = back(k + 2, k + 2) = 1.0;
-    back(k, k + 2) = back(k + 2, k + 4) = seconds;
-    back(k, k + 4) = 0.5 * seconds * seconds;
-  }
+  const CloudMoments& now = track.moments;
+  const StateMoments then = state_moments_at(now.motion, now.mean, now.covariance, seconds);
   core::Track& out = tracks_.emplace_back();
   out.id = track.id;
-  out.state = back * track.moments.mean;
-  out.covariance = back * track.moments.covariance * back.transpose();
+  out.state = then.mean;
+  out.covariance = then.covariance;
   out.status = in_view(scan, out.position()) ? core::TrackStatus::confirmed : core::TrackStatus::coasting;
   out.existence = track.existence;
   out.first_utime = track.first_utime;

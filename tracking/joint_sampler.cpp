@@ -11,9 +11,11 @@ namespace {
 
 constexpr std::size_t kPoolSize = 4096;
 
-CloudMoments::Matrix6 floored(const CloudMoments::Matrix6& covariance, const JointCloudParams& params) {
-  CloudMoments::Matrix6 result = covariance;
-  const std::array floor{params.position_floor, params.velocity_floor, params.acceleration_floor};
+TrajectoryCovariance floored(const CloudMoments& moments, const JointCloudParams& params) {
+  TrajectoryCovariance result = moments.covariance;
+  const bool turn = moments.motion == Motion::turn;
+  const std::array floor{params.position_floor, params.velocity_floor,
+                         turn ? params.turn_floor : params.acceleration_floor};
   for (int i = 0; i < 6; ++i) {
     const double least = floor[static_cast<std::size_t>(i / 2)];
     result(i, i) += least * least;
@@ -22,22 +24,15 @@ CloudMoments::Matrix6 floored(const CloudMoments::Matrix6& covariance, const Joi
 }
 
 // The lower triangular root of the first d rows and columns.
-CloudMoments::Matrix6 root_of(const CloudMoments::Matrix6& covariance, int d) {
-  CloudMoments::Matrix6 root = CloudMoments::Matrix6::Zero();
+TrajectoryCovariance root_of(const TrajectoryCovariance& covariance, int d) {
+  TrajectoryCovariance root = TrajectoryCovariance::Zero();
   if (d == 4)
     root.topLeftCorner<4, 4>() = covariance.topLeftCorner<4, 4>().llt().matrixL();
+  else if (d == 5)
+    root.topLeftCorner<5, 5>() = covariance.topLeftCorner<5, 5>().llt().matrixL();
   else
     root = covariance.llt().matrixL();
   return root;
-}
-
-std::array<double*, 6> components(JointCloud& cloud) {
-  return {cloud.north.data(),
-          cloud.east.data(),
-          cloud.north_velocity.data(),
-          cloud.east_velocity.data(),
-          cloud.north_acceleration.data(),
-          cloud.east_acceleration.data()};
 }
 
 void copy_trajectory(const JointCloud& from, std::size_t i, JointCloud& to, std::size_t k) {
@@ -45,6 +40,8 @@ void copy_trajectory(const JointCloud& from, std::size_t i, JointCloud& to, std:
   to.east[k] = from.east[i];
   to.north_velocity[k] = from.north_velocity[i];
   to.east_velocity[k] = from.east_velocity[i];
+  if (from.motion == Motion::turn) to.turn_rate[k] = from.turn_rate[i];
+  if (from.motion != Motion::bend) return;
   to.north_acceleration[k] = from.north_acceleration[i];
   to.east_acceleration[k] = from.east_acceleration[i];
 }
@@ -53,13 +50,8 @@ void copy_trajectory(const JointCloud& from, std::size_t i, JointCloud& to, std:
 void add_anchor(const Anchor& anchor, const JointCloud& cloud, std::span<double> log_weight) {
   const Eigen::Matrix4d root = anchor.covariance.llt().matrixL();
   const double log_norm = -root.diagonal().array().log().sum() - 2.0 * std::log(2.0 * std::numbers::pi);
-  const double s = anchor.seconds, half_square = 0.5 * s * s;
   for (std::size_t i = 0; i < cloud.size(); ++i) {
-    const double an = cloud.north_acceleration[i], ae = cloud.east_acceleration[i];
-    Eigen::Vector4d offset(cloud.north[i] + s * cloud.north_velocity[i] + half_square * an,
-                           cloud.east[i] + s * cloud.east_velocity[i] + half_square * ae,
-                           cloud.north_velocity[i] + s * an, cloud.east_velocity[i] + s * ae);
-    offset -= anchor.mean;
+    Eigen::Vector4d offset = state_at(cloud.motion, cloud.trajectory(i), anchor.seconds) - anchor.mean;
     root.triangularView<Eigen::Lower>().solveInPlace(offset);
     log_weight[i] += log_norm - 0.5 * offset.squaredNorm();
   }
@@ -88,27 +80,26 @@ JointSampler::JointSampler(const JointCloudParams& params, double max_speed, cor
   stepped_.reserve(largest);
 }
 
-double JointSampler::log_prior(double speed, double acceleration, bool curved) const {
-  const double excess = std::max(0.0, speed - max_speed_) / params_.speed_edge;
-  double value = -0.5 * excess * excess;
-  if (curved) {
-    const double a = acceleration / params_.acceleration_prior;
-    value -= 0.5 * a * a +
-             std::log(2.0 * std::numbers::pi * params_.acceleration_prior * params_.acceleration_prior);
-  }
-  return value;
+double JointSampler::log_prior(Motion motion, const Trajectory& trajectory) const {
+  const double excess = std::max(0.0, trajectory.segment<2>(2).norm() - max_speed_) / params_.speed_edge;
+  const double speed = -0.5 * excess * excess;
+  if (motion == Motion::line) return speed;
+  const double spread = motion == Motion::turn ? params_.turn_prior : params_.acceleration_prior;
+  const int extra = dimensions(motion) - dimensions(Motion::line);
+  return speed - 0.5 * trajectory.tail<2>().squaredNorm() / (spread * spread) -
+         extra * (std::log(spread) + 0.5 * std::log(2.0 * std::numbers::pi));
 }
 
 // Fills the cloud around `around` and log_weight_ with minus the log density of the proposal.
 void JointSampler::draw(const CloudMoments& around, std::size_t start, JointCloud& cloud) {
-  const int d = cloud.dimensions();
-  const CloudMoments::Matrix6 scaled =
-      floored(around.covariance, params_) *
+  const int d = dimensions(cloud.motion);
+  const TrajectoryCovariance scaled =
+      floored(around, params_) *
       (params_.proposal_scale * params_.proposal_scale * (params_.tail_freedom - 2.0) / params_.tail_freedom);
-  const CloudMoments::Matrix6 root = root_of(scaled, d);
+  const TrajectoryCovariance root = root_of(scaled, d);
   double log_determinant = 0.0;
   for (int k = 0; k < d; ++k) log_determinant += std::log(root(k, k));
-  const std::array<double*, 6> component = components(cloud);
+  const std::array<double*, 6> component = cloud.components();
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     const ProposalPool::Draw& draw = pool_.at(start, i);
     for (int k = 0; k < d; ++k) {
@@ -116,16 +107,13 @@ void JointSampler::draw(const CloudMoments& around, std::size_t start, JointClou
       for (int l = 0; l <= k; ++l) value += root(k, l) * draw.z[static_cast<std::size_t>(l)];
       component[static_cast<std::size_t>(k)][i] = value;
     }
-    for (int k = d; k < 6; ++k) component[static_cast<std::size_t>(k)][i] = 0.0;
-    log_weight_[i] = log_determinant - (d == 4 ? draw.log_density4 : draw.log_density6);
+    log_weight_[i] = log_determinant - ProposalPool::log_density(draw, d);
   }
 }
 
 void JointSampler::add_prior(const JointCloud& cloud, std::span<double> log_weight) const {
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    log_weight[i] +=
-        log_prior(std::hypot(cloud.north_velocity[i], cloud.east_velocity[i]),
-                  std::hypot(cloud.north_acceleration[i], cloud.east_acceleration[i]), cloud.curved);
+    log_weight[i] += log_prior(cloud.motion, cloud.trajectory(i));
 }
 
 // The moments of the cloud; where a few trajectories carry it, of its weights tempered (their logarithms
@@ -145,7 +133,7 @@ CloudMoments JointSampler::next_guess(JointCloud& cloud) {
 SamplingResult JointSampler::sample(const SamplingTask& task, JointLikelihood& likelihood,
                                     core::Random& random, JointCloud& cloud) {
   const auto size = static_cast<std::size_t>(task.samples);
-  cloud.curved = task.curved;
+  cloud.motion = task.guess.motion;
   cloud.reserve(std::max(size, kLargestCloud * static_cast<std::size_t>(params_.trajectories)));
   cloud.resize(size);
   log_weight_.resize(size);
@@ -168,7 +156,7 @@ SamplingResult JointSampler::sample(const SamplingTask& task, JointLikelihood& l
 }
 
 // ln of prior times likelihood ratio of each trajectory.
-void JointSampler::score(const JointCloud& cloud, const CloudMoments::Vector6& mean, const SamplingTask& task,
+void JointSampler::score(const JointCloud& cloud, const Trajectory& mean, const SamplingTask& task,
                          JointLikelihood& likelihood, std::span<double> log_target) const {
   std::fill(log_target.begin(), log_target.end(), 0.0);
   likelihood.add(cloud, mean, task.ages, task.self, log_target);
@@ -179,9 +167,9 @@ void JointSampler::score(const JointCloud& cloud, const CloudMoments::Vector6& m
 void JointSampler::move(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random,
                         JointCloud& cloud) {
   const CloudMoments moments = cloud.moments();
-  const CloudMoments::Matrix6 root = root_of(
-      floored(moments.covariance, params_) * (params_.move_scale * params_.move_scale), cloud.dimensions());
-  stepped_.curved = cloud.curved;
+  const TrajectoryCovariance root = root_of(
+      floored(moments, params_) * (params_.move_scale * params_.move_scale), dimensions(cloud.motion));
+  stepped_.motion = cloud.motion;
   stepped_.resize(cloud.size());
   log_weight_.resize(cloud.size());
   log_ratio_.resize(cloud.size());
@@ -199,9 +187,9 @@ void JointSampler::move(const SamplingTask& task, JointLikelihood& likelihood, c
 }
 
 // Fills `stepped_` with the trajectories of `cloud`, each moved at random.
-void JointSampler::step(const CloudMoments::Matrix6& root, std::size_t start, const JointCloud& cloud) {
-  const std::array<double*, 6> component = components(stepped_);
-  const int d = cloud.dimensions();
+void JointSampler::step(const TrajectoryCovariance& root, std::size_t start, const JointCloud& cloud) {
+  const std::array<double*, 6> component = stepped_.components();
+  const int d = dimensions(cloud.motion);
   for (std::size_t i = 0; i < cloud.size(); ++i) {
     copy_trajectory(cloud, i, stepped_, i);
     const ProposalPool::Draw& draw = pool_.at(start, i);

@@ -21,12 +21,11 @@ struct Anchor {
 
 /// What to sample: trajectories around a first guess, under the scans of these ages.
 struct SamplingTask {
-  CloudMoments guess;
+  CloudMoments guess;  ///< Its motion is that of all trajectories.
   AgeSpan ages;
   int self = JointLikelihood::kNobody;  ///< The track whose own claims do not count.
   int samples = 256;                    ///< A round.
   int rounds = 3;                       ///< Most rounds; later ones propose from the cloud before.
-  bool curved = false;                  ///< Accelerations too.
   std::optional<Anchor> anchor;         ///< Absent: anywhere, with the prior density 1.
   double give_up_below = -1e300;        ///< After the first round, stop where the log evidence is below.
 };
@@ -53,15 +52,15 @@ class JointSampler {
   /// stays alive. [Gilks2001] Sec. 3.
   void move(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random, JointCloud& cloud);
 
-  /// ln of the prior of a velocity [m/s] and an acceleration [m/s^2], 0 for a slow target on a straight line.
-  double log_prior(double speed, double acceleration, bool curved) const;
+  /// ln of the prior of a trajectory's velocity and of its acceleration or turn rate; 0 of a slow line.
+  double log_prior(Motion motion, const Trajectory& trajectory) const;
 
  private:
   void draw(const CloudMoments& around, std::size_t start, JointCloud& cloud);
   void add_prior(const JointCloud& cloud, std::span<double> log_weight) const;
-  void score(const JointCloud& cloud, const CloudMoments::Vector6& mean, const SamplingTask& task,
+  void score(const JointCloud& cloud, const Trajectory& mean, const SamplingTask& task,
              JointLikelihood& likelihood, std::span<double> log_target) const;
-  void step(const Eigen::Matrix<double, 6, 6>& root, std::size_t start, const JointCloud& cloud);
+  void step(const TrajectoryCovariance& root, std::size_t start, const JointCloud& cloud);
   CloudMoments next_guess(JointCloud& cloud);
 
   JointCloudParams params_;

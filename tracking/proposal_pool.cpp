@@ -7,10 +7,11 @@
 namespace lookout::tracking {
 namespace {
 
-// ln of the constant of the standard t density in `d` dimensions.
-double log_norm(double freedom, int d) {
-  return std::lgamma(0.5 * (freedom + d)) - std::lgamma(0.5 * freedom) -
-         0.5 * d * std::log(freedom * std::numbers::pi);
+// ln of the standard t density in `d` dimensions at squared distance `square`.
+double log_t_density(double freedom, int d, double square) {
+  const double log_norm = std::lgamma(0.5 * (freedom + d)) - std::lgamma(0.5 * freedom) -
+                          0.5 * d * std::log(freedom * std::numbers::pi);
+  return log_norm - 0.5 * (freedom + d) * std::log1p(square / freedom);
 }
 
 // Chi-square with `freedom` degrees of freedom, by Marsaglia and Tsang's gamma draw.
@@ -28,26 +29,19 @@ double chi_square(double freedom, core::Random& random) {
 }  // namespace
 
 ProposalPool::ProposalPool(double freedom, std::size_t size, core::Random& random)
-    : freedom_(freedom), log_norm4_(log_norm(freedom, 4)), log_norm6_(log_norm(freedom, 6)), mask_(size - 1) {
+    : freedom_(freedom), mask_(size - 1) {
   assert(size > 0 && (size & mask_) == 0);
   draws_.resize(size);
   for (Draw& draw : draws_) {
     const double scale = std::sqrt(freedom / chi_square(freedom, random));
-    double square4 = 0.0;
-    double square6 = 0.0;
+    double square = 0.0;
     for (std::size_t i = 0; i < kDimensions; ++i) {
       draw.z[i] = scale * random.gaussian();
-      square6 += draw.z[i] * draw.z[i];
-      if (i < 4) square4 = square6;
+      square += draw.z[i] * draw.z[i];
+      if (i + 1 >= kLeastDimensions)
+        draw.log_density[i + 1 - kLeastDimensions] = log_t_density(freedom, static_cast<int>(i + 1), square);
     }
-    draw.log_density4 = log_density(square4, 4);
-    draw.log_density6 = log_density(square6, 6);
   }
-}
-
-double ProposalPool::log_density(double square, int dimensions) const {
-  const double norm = dimensions == 4 ? log_norm4_ : log_norm6_;
-  return norm - 0.5 * (freedom_ + dimensions) * std::log1p(square / freedom_);
 }
 
 }  // namespace lookout::tracking

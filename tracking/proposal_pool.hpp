@@ -12,12 +12,11 @@ namespace lookout::tracking {
 /// importance sampling need cheap draws with heavy tails, not new ones.
 class ProposalPool {
  public:
-  static constexpr std::size_t kDimensions = 6;
+  static constexpr std::size_t kLeastDimensions = 4, kDimensions = 6;
 
   struct Draw {
     std::array<double, kDimensions> z;  ///< A t draw in any first d of its components.
-    double log_density4 = 0.0;          ///< ln of the density of its first four components.
-    double log_density6 = 0.0;          ///< ln of the density of all six.
+    std::array<double, 3> log_density;  ///< ln of the densities of its first four, five and six components.
   };
 
   /// @param freedom degrees of freedom, > 2.
@@ -29,12 +28,13 @@ class ProposalPool {
   std::size_t size() const { return draws_.size(); }
   double freedom() const { return freedom_; }
 
-  /// ln of the density in d = 4 or 6 dimensions at squared distance `square`.
-  double log_density(double square, int dimensions) const;
+  /// ln of the density of the first `dimensions`, 4 to 6, components of a draw.
+  static double log_density(const Draw& draw, int dimensions) {
+    return draw.log_density[static_cast<std::size_t>(dimensions) - kLeastDimensions];
+  }
 
  private:
   double freedom_;
-  double log_norm4_, log_norm6_;
   std::size_t mask_;
   std::vector<Draw> draws_;
 };

@@ -25,5 +25,12 @@ TEST(FastMath, AtanCoversTheCircle) {
   EXPECT_EQ(fast_atan2(0.0F, 0.0F), 0.0F);
 }
 
+TEST(FastMath, SineAndCosineAreWithinTheirBound) {
+  for (double angle = -100.0; angle < 100.0; angle += 0.00731) {
+    EXPECT_NEAR(fast_sin_cos(angle).sin, std::sin(angle), 1e-9) << angle;
+    EXPECT_NEAR(fast_sin_cos(angle).cos, std::cos(angle), 1e-9) << angle;
+  }
+}
+
 }  // namespace
 }  // namespace lookout::csht

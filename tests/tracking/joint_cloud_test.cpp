@@ -20,11 +20,41 @@ JointCloud two_trajectories() {
 
 TEST(JointCloud, MovesAlongVelocityAndAcceleration) {
   JointCloud cloud = two_trajectories();
+  cloud.motion = Motion::bend;
   cloud.north_acceleration[1] = 0.5;
   cloud.predict(2.0);
   EXPECT_DOUBLE_EQ(cloud.north[1], 2.0 + 2.0 + 1.0);
   EXPECT_DOUBLE_EQ(cloud.north_velocity[1], 2.0);
   EXPECT_DOUBLE_EQ(cloud.north[0], 0.0);
+}
+
+// A quarter of a circle in 10 s, to starboard, from north to east: radius = speed / rate.
+TEST(JointCloud, MovesAlongAnArc) {
+  const double rate = 0.05 * 3.14159265358979;
+  JointCloud cloud = two_trajectories();
+  cloud.motion = Motion::turn;
+  cloud.turn_rate = {0.0, rate};
+  cloud.predict(10.0);
+  EXPECT_NEAR(cloud.north[1], 2.0 + 1.0 / rate, 1e-9);
+  EXPECT_NEAR(cloud.east[1], 1.0 / rate, 1e-9);
+  EXPECT_NEAR(cloud.north_velocity[1], 0.0, 1e-9);
+  EXPECT_NEAR(cloud.east_velocity[1], 1.0, 1e-9);
+}
+
+// The vectorised places are those of each trajectory on its own, however slowly it turns.
+TEST(JointCloud, PlacesAllTrajectoriesWhereEachIs) {
+  for (const Motion motion : {Motion::turn, Motion::bend}) {
+    JointCloud cloud = two_trajectories(), at;
+    cloud.motion = motion;
+    cloud.turn_rate = {-0.1, 1e-9};
+    cloud.east_acceleration = {0.3, -0.1};
+    cloud.place(-60.0, at);
+    for (std::size_t i = 0; i < cloud.size(); ++i) {
+      const Eigen::Vector2d expected = position_at(motion, cloud.trajectory(i), -60.0);
+      EXPECT_NEAR(at.north[i], expected.x(), 1e-3);
+      EXPECT_NEAR(at.east[i], expected.y(), 1e-3);
+    }
+  }
 }
 
 // By hand: mean likelihood ratio (1 + 3) / 2; weights 1/4 and 3/4.

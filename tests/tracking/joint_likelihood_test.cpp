@@ -101,7 +101,7 @@ TEST(JointLikelihood, ABeamIsContestedByClaimsNearby) {
 TEST(JointLikelihood, ACurvedTrajectoryIsScoredWhereItWas) {
   JointLikelihood likelihood = two_scans();
   JointCloud cloud = one_at(60.0, 0.5);
-  cloud.curved = true;
+  cloud.motion = Motion::bend;
   cloud.east_acceleration[0] = 400.0;  // 50 m off half a second ago.
   EXPECT_LT(log_ratio(likelihood, cloud, {1, 1}, 0), 0.0);
   EXPECT_GT(log_ratio(likelihood, cloud, {0, 0}, 0), 3.0);

@@ -29,17 +29,17 @@ TEST(MemoryOf, ReachesToTheFirstScanOrTheMemorysEnd) {
   EXPECT_EQ(memory_of(track, scans, {3.0, 8.0}).oldest, 6);
 }
 
-TEST(OldestOfCurve, SpansItsSecondsButNeverTooFewScans) {
+TEST(OldestOfBend, SpansItsSecondsButNeverTooFewScans) {
   const csht::ScanHistory scans = thirty_scans();
-  EXPECT_EQ(oldest_of_curve({.curve_s = 8.0, .curve_scans = 7}, scans), 16);
-  EXPECT_EQ(oldest_of_curve({.curve_s = 2.0, .curve_scans = 7}, scans), 7);    // Four scans tell no curve.
-  EXPECT_EQ(oldest_of_curve({.curve_s = 2.0, .curve_scans = 99}, scans), 29);  // As far as there are any.
+  EXPECT_EQ(oldest_of_bend({.bend_s = 8.0, .bend_scans = 7}, scans), 16);
+  EXPECT_EQ(oldest_of_bend({.bend_s = 2.0, .bend_scans = 7}, scans), 7);    // Four scans tell no curve.
+  EXPECT_EQ(oldest_of_bend({.bend_s = 2.0, .bend_scans = 99}, scans), 29);  // As far as there are any.
 }
 
-TEST(MemoryOf, ACurveIsShort) {
+TEST(MemoryOf, ABendIsShort) {
   const csht::ScanHistory scans = thirty_scans();
   JointTrack track;
-  track.cloud.curved = true;
+  track.cloud.motion = Motion::bend;
   EXPECT_EQ(memory_of(track, scans, {60.0, 8.0}).oldest, 16);
 }
 

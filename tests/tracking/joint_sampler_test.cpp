@@ -92,8 +92,46 @@ TEST(JointSampler, AnAnchorHoldsATrajectoryThatNobodySees) {
 TEST(JointSampler, SpeedPriorIsFlatUpToTheLimit) {
   core::Random random(4);
   const JointSampler sampler({}, 3.0, random);
-  EXPECT_EQ(sampler.log_prior(2.9, 0.0, false), 0.0);
-  EXPECT_LT(sampler.log_prior(4.0, 0.0, false), -10.0);
+  EXPECT_EQ(sampler.log_prior(Motion::line, Trajectory::Unit(2) * 2.9), 0.0);
+  EXPECT_LT(sampler.log_prior(Motion::line, Trajectory::Unit(2) * 4.0), -10.0);
+}
+
+// ln of the standard normal densities at 0 (one turn rate, two accelerations) and one sigma off.
+TEST(JointSampler, TurnRatesAndAccelerationsHaveAGaussianPrior) {
+  core::Random random(4);
+  JointCloudParams params;
+  params.turn_prior = 0.1;
+  params.acceleration_prior = 0.2;
+  const JointSampler sampler(params, 3.0, random);
+  const double at_zero = -0.5 * std::log(2.0 * 3.14159265358979);
+  EXPECT_NEAR(sampler.log_prior(Motion::turn, Trajectory::Zero()), at_zero - std::log(0.1), 1e-9);
+  EXPECT_NEAR(sampler.log_prior(Motion::bend, Trajectory::Zero()), 2.0 * (at_zero - std::log(0.2)), 1e-9);
+  EXPECT_NEAR(sampler.log_prior(Motion::turn, Trajectory::Unit(4) * 0.1), at_zero - std::log(0.1) - 0.5,
+              1e-9);
+}
+
+// Twenty scans of a target that runs through a full circle of 20 m radius: the rate comes out.
+TEST(JointSampler, FindsATurn) {
+  const double rate = 2.0 * 3.14159265358979 / 9.5;
+  JointLikelihood likelihood({}, {}, {}, 40, kOwners);
+  for (int k = 0; k < 20; ++k) {
+    const double course = rate * (0.5 * k - 9.5);
+    likelihood.push(scan_of(k, {{60.0 + std::sin(course) / rate, 10.0 + (1.0 - std::cos(course)) / rate}}));
+  }
+  core::Random random(5);
+  JointCloudParams params;
+  params.turn_prior = rate;
+  JointSampler sampler(params, 3.0, random);
+  SamplingTask task = around_truth();
+  task.guess.motion = Motion::turn;
+  task.guess.mean << 60.0, 10.0, 1.0, 0.0, 0.8 * rate, 0.0;
+  task.guess.covariance.diagonal() << 4.0, 4.0, 0.25, 0.25, 0.01, 0.0;
+  JointCloud cloud;
+  sampler.sample(task, likelihood, random, cloud);
+  const CloudMoments moments = cloud.moments();
+  EXPECT_EQ(moments.motion, Motion::turn);
+  EXPECT_LT(std::sqrt(moments.covariance(4, 4)), 0.1 * rate);
+  EXPECT_LT(std::abs(moments.mean[4] - rate), 3.0 * std::sqrt(moments.covariance(4, 4)));
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(ProposalPool, DrawsHaveMeanZeroAndTheVarianceOfTheTDistribution) {
 TEST(ProposalPool, DensitiesIntegrateTheGaussianToOne) {
   core::Random random(2);
   const ProposalPool pool(6.0, 16384, random);
-  double four = 0.0, six = 0.0;
+  double four = 0.0, five = 0.0, six = 0.0;
   for (std::size_t i = 0; i < pool.size(); ++i) {
     const auto& draw = pool.at(0, i);
     double square = 0.0;
@@ -33,11 +33,16 @@ TEST(ProposalPool, DensitiesIntegrateTheGaussianToOne) {
       square += draw.z[k] * draw.z[k];
       const double log_gaussian =
           -0.5 * square - 0.5 * static_cast<double>(k + 1) * std::log(2.0 * std::numbers::pi);
-      if (k == 3) four += std::exp(log_gaussian - draw.log_density4) / static_cast<double>(pool.size());
-      if (k == 5) six += std::exp(log_gaussian - draw.log_density6) / static_cast<double>(pool.size());
+      if (k == 3)
+        four += std::exp(log_gaussian - pool.log_density(draw, 4)) / static_cast<double>(pool.size());
+      if (k == 4)
+        five += std::exp(log_gaussian - pool.log_density(draw, 5)) / static_cast<double>(pool.size());
+      if (k == 5)
+        six += std::exp(log_gaussian - pool.log_density(draw, 6)) / static_cast<double>(pool.size());
     }
   }
   EXPECT_NEAR(four, 1.0, 0.03);
+  EXPECT_NEAR(five, 1.0, 0.03);
   EXPECT_NEAR(six, 1.0, 0.03);
 }
 
