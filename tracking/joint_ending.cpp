@@ -1,6 +1,15 @@
 #include "tracking/joint_ending.hpp"
 
+#include <algorithm>
+
 namespace lookout::tracking {
+namespace {
+
+double seconds_out_of_view(const JointTrack& track, const JointState& state) {
+  return core::seconds(state.now() - track.in_view_utime);
+}
+
+}  // namespace
 
 void JointEnding::end_twins(JointState& state) const {
   for (std::size_t a = 0; a < state.tracks.size(); ++a) {
@@ -36,6 +45,7 @@ void JointEnding::note_view(JointTrack& track, const JointState& state) const {
     state.decide(track, out ? DecisionKind::coast : DecisionKind::resume, track.log_odds,
                  out ? "left the field of view" : "back in the field of view");
   track.out_of_view = out;
+  track.coasting = out && seconds_out_of_view(track, state) < params_.coast_s;
 }
 
 const char* JointEnding::reason_to_end(const JointTrack& track, const JointState& state) const {
@@ -43,8 +53,9 @@ const char* JointEnding::reason_to_end(const JointTrack& track, const JointState
   if (track.log_odds < least) return "too little evidence left";
   if (!track.out_of_view) return nullptr;
   if (!track.confirmed_once) return "left the field of view unconfirmed";
-  const double out = core::seconds(state.now() - track.in_view_utime);
-  return out >= params_.coast_s ? "out of view for longer than the coast" : nullptr;
+  return seconds_out_of_view(track, state) >= std::max(params_.coast_s, params_.return_s)
+             ? "out of view for too long"
+             : nullptr;
 }
 
 }  // namespace lookout::tracking

@@ -5,7 +5,7 @@
 
 namespace lookout::tracking {
 
-/// Ends tracks: twins, those that lost their evidence, and those out of view for longer than the coast.
+/// Ends tracks: twins, those that lost their evidence, and those out of view for too long.
 class JointEnding {
  public:
   /// @param params validated.

@@ -40,8 +40,8 @@ std::span<const core::Track> JointOutput::publish(JointState& state) {
 }
 
 void JointOutput::publish_track(const JointTrack& track) {
-  const bool coasting =
-      track.confirmed_once && track.out_of_view && track.existence() >= params_.min_existence;
+  if (track.out_of_view && !track.coasting) return;
+  const bool coasting = track.confirmed_once && track.coasting && track.existence() >= params_.min_existence;
   if (!track.reported && !coasting && track.existence() < params_.published_tentative) return;
   core::Track& out = published_.emplace_back();
   out.id = track.id;

@@ -89,6 +89,7 @@ void validate(const JointLifeParams& p) {
   require(p.end_log_odds < 0.0, "end_log_odds must be < 0", p.end_log_odds);
   require(p.mean_life_s > 0.0, "mean_life_s must be > 0", p.mean_life_s);
   require(p.coast_s >= 0.0, "coast_s must be >= 0", p.coast_s);
+  require(p.return_s >= 0.0, "return_s must be >= 0", p.return_s);
   require(p.max_tracks >= 1, "max_tracks must be >= 1", p.max_tracks);
   require(p.ready_tracks >= 0, "ready_tracks must be >= 0", p.ready_tracks);
   require(p.twin_distance >= 0.0, "twin_distance must be >= 0", p.twin_distance);

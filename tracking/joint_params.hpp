@@ -100,7 +100,9 @@ struct JointLifeParams {
   double tentative_log_odds = -6.0;  ///< Existence from which a track is kept. docs/tracker.md.
   double end_log_odds = -3.0;        ///< Existence below which a track that was confirmed ends.
   double mean_life_s = 500.0;        ///< Mean time after which a target vanishes in view [s], > 0.
-  double coast_s = 10.0;             ///< How long a track is kept since it was last in view [s], >= 0.
+  double coast_s = 10.0;             ///< How long a track is published since it was last in view [s], >= 0.
+  double return_s = 30.0;            ///< How long it is kept, in case it comes back [s], >= 0; no less than
+                                     ///< the coast. At 6 deg/s a target has turned round in that time.
   int max_tracks = 512;              ///< Tracks of any status, >= 1; more are not begun.
   int ready_tracks = 64;             ///< Tracks that memory is kept for from the start, >= 0.
   double twin_distance = 4.0;        ///< Two tracks nearer than this [m] ...

@@ -43,8 +43,10 @@ std::span<const core::Track> JointRetrodiction::at(std::int64_t utime, std::span
   const csht::ScanTable& scan = scan_at(utime, scans);
   for (const JointTrack& track : tracks) {
     if (!track.used || (track.existence() < min_existence && !track.reported)) continue;
-    add({track.id, track.moments, track.existence(), scans.newest().utime, track.first_utime, utime}, utime,
-        scan);
+    const bool hidden = track.out_of_view && !track.coasting;
+    add({track.id, track.moments, track.existence(), scans.newest().utime, track.first_utime,
+         hidden ? track.in_view_utime : utime},
+        utime, scan);
   }
   for (const Retired& track : retired_) add(track, utime, scan);
   return tracks_;

@@ -49,7 +49,7 @@ void JointTrack::begin(const Beginning& beginning) {
   first_utime = beginning.first_utime;
   last_detection_utime = in_view_utime = beginning.utime;
   remembers_birth = true;
-  out_of_view = reported = confirmed_once = false;
+  out_of_view = coasting = reported = confirmed_once = false;
   has_claims = claims_are_fresh = false;
 }
 

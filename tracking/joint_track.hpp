@@ -44,6 +44,7 @@ struct JointTrack {
   std::int64_t last_detection_utime = 0;
   std::int64_t in_view_utime = 0;  ///< Of the newest scan that had it in view.
   bool out_of_view = false;
+  bool coasting = false;  ///< Out of view, but not for longer than the coast.
   bool reported = false;  ///< Part of the newest report.
   bool confirmed_once = false;
   bool has_claims = false;        ///< On scans before the newest.

@@ -55,19 +55,23 @@ TEST(JointEnding, TooLittleEvidenceEndsATrackLaterOnceItWasConfirmed) {
   EXPECT_FALSE(confirmed.used);
 }
 
-TEST(JointEnding, OutOfViewAConfirmedTrackIsKeptForTheCoast) {
-  const JointLifeParams params;  // Coast of 10 s: 20 scans.
+TEST(JointEnding, OutOfViewAConfirmedTrackCoastsAndIsKeptInCaseItReturns) {
+  JointLifeParams params;  // Scans every half second.
+  params.coast_s = 10.0;
+  params.return_s = 15.0;
   JointState state = empty_sea();
   JointTrack& track = add_track(state, kLine, 5.0);
   track.confirmed_once = true;
   track.visible_share = 0.2;
   const JointEnding ending(params);
-  int scans = 0;
+  int scans = 0, coasting = 0;
   for (; track.used && scans < 100; ++scans) {
     state.likelihood.push(scan_of(scans + 1, {}));
     ending.end_lives(state);
+    coasting += track.coasting ? 1 : 0;
   }
-  EXPECT_EQ(scans, 20);  // In view at 0 s for the last time; kept at 9.5 s, gone at 10 s.
+  EXPECT_EQ(coasting, 19);  // In view at 0 s for the last time; coasting from 0.5 to 9.5 s,
+  EXPECT_EQ(scans, 30);     // kept at 14.5 s, gone at 15 s.
 }
 
 TEST(JointEnding, OutOfViewATentativeTrackEndsAtOnce) {

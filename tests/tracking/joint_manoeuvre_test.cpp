@@ -63,5 +63,25 @@ TEST(JointManoeuvre, ATurningTargetIsFollowedByOneTrack) {
   EXPECT_LT(outcome.late, 1.0);
 }
 
+// The sector's edge cuts the circle of turn_6deg's first target: for 13 s, longer than the coast, it is unseen.
+TEST(JointManoeuvre, ATargetThatTurnsBackIntoViewIsKnownAgain) {
+  JointTracker tracker({}, known_sonar(), 1);
+  const double rate = core::radians(6.0), radius = 1.5 / rate;
+  std::vector<std::int64_t> before, after;
+  for (int k = 0; k < 110; ++k) {
+    const double course = core::radians(90.0) + 0.5 * k * rate;
+    const Eigen::Vector2d position(70.0 - radius + radius * std::sin(course),
+                                   -40.0 - radius * std::cos(course));
+    const bool seen = std::abs(std::atan2(position.y(), position.x())) < core::radians(45.0);
+    std::vector<std::int64_t>& ids = k < 80 ? before : after;
+    for (const core::Track& track :
+         tracker.update(scan_of(k, seen ? std::vector{position} : std::vector<Eigen::Vector2d>{})))
+      if (track.status == core::TrackStatus::confirmed) ids.push_back(track.id);
+  }
+  ASSERT_FALSE(before.empty());
+  ASSERT_FALSE(after.empty());
+  EXPECT_EQ(before.back(), after.back());
+}
+
 }  // namespace
 }  // namespace lookout::tracking

@@ -51,16 +51,25 @@ TEST(JointOutput, OutOfViewAConfirmedTrackCoasts) {
   JointTrack& track = add_track(state, kLine, 3.0);
   JointOutput output({}, state.random);
   output_of(output, 0.0, state);
-  track.out_of_view = true;
+  track.out_of_view = track.coasting = true;
   const auto tracks = output_of(output, 0.0, state);
   ASSERT_EQ(tracks.size(), 1U);
   EXPECT_EQ(tracks[0].status, core::TrackStatus::coasting);
 }
 
+TEST(JointOutput, AfterTheCoastATrackIsNotPublished) {
+  JointState state = empty_sea();
+  JointTrack& track = add_track(state, kLine, 3.0);
+  JointOutput output({}, state.random);
+  output_of(output, 0.0, state);
+  track.out_of_view = true;
+  EXPECT_TRUE(output_of(output, 0.0, state).empty());
+}
+
 TEST(JointOutput, OutOfViewADoubtfulTrackDoesNotCount) {
   JointState state = empty_sea();
   JointTrack& track = add_track(state, kLine, -0.5);
-  track.confirmed_once = track.out_of_view = true;
+  track.confirmed_once = track.out_of_view = track.coasting = true;
   JointOutput output({}, state.random);
   const auto tracks = output_of(output, 0.0, state);
   ASSERT_EQ(tracks.size(), 1U);

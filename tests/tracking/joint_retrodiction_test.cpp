@@ -48,6 +48,17 @@ TEST(JointRetrodiction, RemembersATrackThatEndedUpToItsLastEcho) {
   EXPECT_TRUE(retrodiction.at(8 * kSecond, {}, scans, 0.5).empty());
 }
 
+TEST(JointRetrodiction, AfterTheCoastATrackIsOneThatWasLastInView) {
+  JointRetrodiction retrodiction;
+  JointTrack track = sure_track();
+  track.out_of_view = true;
+  track.in_view_utime = 6 * kSecond;
+  const std::vector<JointTrack> tracks{track};
+  const csht::ScanHistory scans = twenty_scans();
+  EXPECT_EQ(retrodiction.at(6 * kSecond, tracks, scans, 0.5).size(), 1U);
+  EXPECT_TRUE(retrodiction.at(7 * kSecond, tracks, scans, 0.5).empty());
+}
+
 TEST(JointRetrodiction, WhatWasNeverSureWasFalse) {
   JointRetrodiction retrodiction;
   JointTrack track = sure_track();
