@@ -38,21 +38,14 @@ void LineFit::add(const Eigen::Vector2d& position, double seconds, double azimut
   weighted.tail<2>() += seconds * pull;
 }
 
-BirthDensity birth_density(const csht::ScanTable& scan, double max_speed, const JointBirthParams& params) {
-  const double sector = std::min(2.0 * std::numbers::pi, scan.num_beams * scan.bearing_step);
-  const double area = 0.5 * sector * scan.max_range * scan.max_range;
-  const double log_volume = std::log(area * std::numbers::pi * max_speed * max_speed);
-  return {std::log(params.expected_targets) - log_volume, std::log(params.interior_rate) - log_volume};
-}
-
 int birth_window(const csht::ScanHistory& scans, const JointBirthParams& params) {
   const double nats = std::max(nats_per_scan(scans.figures(), scans.newest()), params.least_nats);
   const double enough = std::ceil(params.enough_nats / nats);
   return static_cast<int>(std::min<double>(enough, oldest_within(params.window_s, scans)));
 }
 
-JointBirth::JointBirth(const JointBirthParams& params, double max_speed)
-    : params_(params), max_speed_(max_speed) {
+JointBirth::JointBirth(const JointBirthParams& params, const JointPrior& prior)
+    : params_(params), prior_(prior) {
   pairs_.resize(kReserve);
   pairs_.resize(0);
 }
@@ -60,7 +53,6 @@ JointBirth::JointBirth(const JointBirthParams& params, double max_speed)
 std::span<const BirthSeed> JointBirth::propose(JointLikelihood& likelihood) {
   seeds_.clear();
   scans_ = &likelihood.scans();
-  density_ = birth_density(scans_->newest(), max_speed_, params_);
   collect_free_echoes(likelihood);
   pair_echoes();
   if (scores_.empty()) return seeds_;
@@ -104,7 +96,7 @@ void JointBirth::pair_echoes() {
   const double sigma = scans_->figures().range_sigma;
   for (const Echo& older : older_) {
     const double seconds = -scans_->seconds_at_age(older.age);
-    const double reach = max_speed_ * seconds + 2.0 * std::numbers::sqrt2 * sigma;
+    const double reach = prior_.max_speed() * seconds + 2.0 * std::numbers::sqrt2 * sigma;
     for (const Echo& newest : newest_)
       if ((newest.position - older.position).squaredNorm() <= reach * reach) add_pair(newest, older, seconds);
   }
@@ -112,11 +104,10 @@ void JointBirth::pair_echoes() {
   scored_to_ = -1;
 }
 
-// The most probable line through both echoes for a velocity prior of the speed limit's spread: two echoes
-// close in time say little of the velocity.
+// The most probable line through both echoes: two that are close in time say little of the velocity.
 void JointBirth::add_pair(const Echo& newest, const Echo& older, double seconds) {
   const double sigma = scans_->figures().range_sigma;
-  const double prior_variance = 0.25 * max_speed_ * max_speed_;
+  const double prior_variance = prior_.velocity_sigma() * prior_.velocity_sigma();
   const double shrink = prior_variance / (prior_variance + 2.0 * sigma * sigma / (seconds * seconds));
   const Eigen::Vector2d velocity = shrink / seconds * (newest.position - older.position);
   const Eigen::Vector2d position = 0.5 * (newest.position + older.position + seconds * velocity);
@@ -195,7 +186,7 @@ bool JointBirth::merged(const BirthSeed& seed) {
 bool JointBirth::refine(const JointLikelihood& likelihood, std::size_t index, BirthSeed& seed) const {
   Eigen::Vector4d state(pairs_.north[index], pairs_.east[index], pairs_.north_velocity[index],
                         pairs_.east_velocity[index]);
-  const double prior_variance = 0.25 * max_speed_ * max_speed_;
+  const double prior_variance = prior_.velocity_sigma() * prior_.velocity_sigma();
   Eigen::Matrix4d covariance;
   for (int round = 0; round < params_.refine_rounds; ++round) {
     LineFit fit;
@@ -228,11 +219,14 @@ void JointBirth::weigh(JointLikelihood& likelihood, int oldest) {
   }
   step_.assign(seeds_.size(), 0.0);
   for (int age = oldest; age >= 0; --age) {
-    csht::add_births(params_.log_birth(), step_);
+    csht::add_births(likelihood.log_birth(age), step_);
     csht::add_log_ratio(scans_->at_age(age), likelihood.mask(age, JointLikelihood::kNobody, -1),
                         lines_.span(), scans_->seconds_at_age(age), kSeedTolerance, step_);
   }
-  for (std::size_t k = 0; k < seeds_.size(); ++k) seeds_[k].log_odds += step_[k] + density_.log_standing;
+  const double log_density = prior_.log_standing(scans_->newest());
+  for (std::size_t k = 0; k < seeds_.size(); ++k)
+    seeds_[k].log_odds +=
+        step_[k] + log_density + prior_.log_speed(seeds_[k].guess.mean.segment<2>(2).norm());
   std::sort(seeds_.begin(), seeds_.end(),
             [](const BirthSeed& a, const BirthSeed& b) { return a.log_odds > b.log_odds; });
 }

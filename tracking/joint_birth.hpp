@@ -6,6 +6,7 @@
 
 #include "tracking/joint_likelihood.hpp"
 #include "tracking/joint_params.hpp"
+#include "tracking/joint_prior.hpp"
 
 namespace lookout::tracking {
 
@@ -15,13 +16,6 @@ struct BirthSeed {
   int start_age = 0;      ///< Age of the scan since which it is thought to be there.
   double log_odds = 0.0;  ///< Of existence, by Laplace's method around the guess.
 };
-
-/// How targets are spread before anything is seen: their densities over position and velocity.
-struct BirthDensity {
-  double log_standing = 0.0;  ///< ln of those that have been there all along, or entered over the border.
-  double log_interior = 0.0;  ///< ln of those that appear inside at one scan.
-};
-BirthDensity birth_density(const csht::ScanTable& scan, double max_speed, const JointBirthParams& params);
 
 /// Age of the oldest scan that a new target is weighed over: as many scans as hold `enough_nats` of
 /// information on a target in view, `window_s` at most.
@@ -43,7 +37,7 @@ struct LineFit {
 /// docs/tracker.md.
 class JointBirth {
  public:
-  JointBirth(const JointBirthParams& params, double max_speed);
+  JointBirth(const JointBirthParams& params, const JointPrior& prior);
 
   /// Seeds of the newest scan, most probable first. @param likelihood with the claims of all tracks.
   std::span<const BirthSeed> propose(JointLikelihood& likelihood);
@@ -72,9 +66,8 @@ class JointBirth {
   bool merged(const BirthSeed& seed);
 
   JointBirthParams params_;
-  double max_speed_;
+  JointPrior prior_;
   const csht::ScanHistory* scans_ = nullptr;  ///< Of the call to `propose` that runs.
-  BirthDensity density_;
   std::vector<Echo> newest_, older_;
   JointCloud pairs_;
   std::vector<Score> scores_;

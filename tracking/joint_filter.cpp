@@ -12,8 +12,7 @@ JointFilter::JointFilter(const JointTrackerParams& params)
     : cloud_(params.cloud),
       life_(params.life),
       least_log_odds_(params.manoeuvre.least_log_odds),
-      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.manoeuvre.least_scans,
-              params.birth.log_birth()},
+      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.manoeuvre.least_scans},
       manoeuvre_(params.manoeuvre, params.cloud.trajectories),
       observer_(params.observer) {}
 

@@ -26,14 +26,19 @@ int beam_at(const csht::ScanTable& scan, double north, double east) {
 }
 
 JointLikelihood::JointLikelihood(const csht::SensorFigures& figures, const csht::SensorModelParams& model,
-                                 const csht::Tolerance& tolerance, int capacity, int max_owners)
-    : tolerance_(tolerance), scans_(figures, model, capacity), claims_(static_cast<std::size_t>(capacity)) {
+                                 const csht::Tolerance& tolerance, int capacity, int max_owners,
+                                 const JointPrior& prior)
+    : tolerance_(tolerance),
+      scans_(figures, model, capacity),
+      prior_(prior),
+      claims_(static_cast<std::size_t>(capacity)) {
   for (auto& claims : claims_) claims.reserve(kClaimsReserved);
   existence_.assign(static_cast<std::size_t>(max_owners), 0.0);
 }
 
 void JointLikelihood::push(const core::PosedScan& scan) {
   scans_.push(scan);
+  if (scans_.pushed() == 1) first_utime_ = scans_.newest().utime;
   claims_at(0).clear();
 }
 
@@ -125,7 +130,7 @@ double JointLikelihood::explained(int age, int index, double range) const {
 void JointLikelihood::add(const JointCloud& cloud, const Trajectory& mean, const AgeSpan& ages, int self,
                           std::span<double> log_ratio) {
   for (int age = ages.oldest; age >= ages.newest; --age) {
-    if (ages.log_birth) csht::add_births(*ages.log_birth, log_ratio);
+    if (ages.births) csht::add_births(log_birth(age), log_ratio);
     const csht::BeamMask* others = nullptr;
     if (self != kEverybody && !claims_at(age).empty()) {
       const Eigen::Vector2d at = position_at(cloud.motion, mean, scans_.seconds_at_age(age));

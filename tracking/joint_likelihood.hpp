@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,6 +7,7 @@
 #include "csht/beam_mask.hpp"
 #include "csht/scan_history.hpp"
 #include "tracking/joint_cloud.hpp"
+#include "tracking/joint_prior.hpp"
 
 namespace lookout::tracking {
 
@@ -24,9 +24,8 @@ struct Claim {
 struct AgeSpan {
   int newest = 0;
   int oldest = 0;
-  /// ln of the targets that appear at a scan, relative to those that were there before the oldest: with it,
-  /// a trajectory may begin at any scan of the span. Without, it is there from the oldest on.
-  std::optional<double> log_birth = std::nullopt;
+  bool births =
+      false;  ///< A trajectory may begin at any scan of the span; else it is there from the oldest on.
 };
 
 /// The likelihood of trajectories over the latest scans, with what other tracks explain left out: in a beam
@@ -39,10 +38,15 @@ class JointLikelihood {
   /// @param capacity scans kept, >= 1.
   /// @param max_owners slots that may claim.
   JointLikelihood(const csht::SensorFigures& figures, const csht::SensorModelParams& model,
-                  const csht::Tolerance& tolerance, int capacity, int max_owners);
+                  const csht::Tolerance& tolerance, int capacity, int max_owners,
+                  const JointPrior& prior = JointPrior());
 
   void push(const core::PosedScan& scan);
   const csht::ScanHistory& scans() const { return scans_; }
+  /// ln of the targets that appear at the scan of this age, relative to those that stand there.
+  double log_birth(int age) const {
+    return prior_.log_birth(core::seconds(scans_.at_age(age).utime - first_utime_));
+  }
   void set_figures(const csht::SensorFigures& figures) { scans_.set_figures(figures); }
   void set_heading_error(int age, const csht::HeadingError& error) { scans_.set_heading_error(age, error); }
 
@@ -84,6 +88,8 @@ class JointLikelihood {
 
   csht::Tolerance tolerance_;
   csht::ScanHistory scans_;
+  JointPrior prior_;
+  std::int64_t first_utime_ = 0;
   std::vector<std::vector<Claim>> claims_;
   std::vector<double> existence_;
   csht::BeamMask mask_;

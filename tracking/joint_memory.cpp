@@ -22,7 +22,7 @@ AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const
   }
   const std::int64_t since_first = scans.pushed() - 1 - track.first_scan;
   ages.oldest = static_cast<int>(std::min<std::int64_t>(since_first, oldest_within(memory.line_s, scans)));
-  if (track.remembers_birth) ages.log_birth = memory.log_birth;
+  ages.births = track.remembers_birth;
   return ages;
 }
 

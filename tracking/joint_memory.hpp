@@ -8,10 +8,9 @@ namespace lookout::tracking {
 
 /// How far back a track's likelihood reaches.
 struct JointMemory {
-  double line_s = 60.0;    ///< Of a line and of a turn [s].
-  double bend_s = 8.0;     ///< Of a bend [s], but
-  int bend_scans = 7;      ///< at least so many scans before the newest, however slowly they come.
-  double log_birth = 0.0;  ///< AgeSpan::log_birth, of a track that remembers its birth.
+  double line_s = 60.0;  ///< Of a line and of a turn [s].
+  double bend_s = 8.0;   ///< Of a bend [s], but
+  int bend_scans = 7;    ///< at least so many scans before the newest, however slowly they come.
 };
 
 /// Age of the oldest scan that is at most `seconds` older than the newest; 0 at least.

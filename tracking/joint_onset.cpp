@@ -18,21 +18,20 @@ double state_distance(const CloudMoments& a, const CloudMoments& b) {
 
 }  // namespace
 
-JointOnset::JointOnset(const JointTrackerParams& params, double max_speed,
+JointOnset::JointOnset(const JointTrackerParams& params, const JointPrior& prior,
                        std::unique_ptr<BirthMethod> births)
     : params_(params.birth),
       life_(params.life),
       cloud_(params.cloud),
-      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.manoeuvre.least_scans,
-              params.birth.log_birth()},
-      max_speed_(max_speed),
-      birth_(params.birth, max_speed),
+      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.manoeuvre.least_scans},
+      prior_(prior),
+      birth_(params.birth, prior),
       births_(std::move(births)),
       observer_(params.observer) {}
 
 void JointOnset::begin(const core::PosedScan& scan, JointState& state) {
-  log_density_ = birth_density(state.scans().newest(), max_speed_, params_).log_standing;
-  window_ = {0, birth_window(state.scans(), params_), params_.log_birth()};
+  log_density_ = prior_.log_standing(state.scans().newest());
+  window_ = {0, birth_window(state.scans(), params_), true};
   if (births_ != nullptr)
     begin_on_proposals(scan, state);
   else

@@ -19,7 +19,7 @@ namespace lookout::tracking {
 class JointOnset {
  public:
   /// @param params validated. @param births null: pairs of echoes.
-  JointOnset(const JointTrackerParams& params, double max_speed, std::unique_ptr<BirthMethod> births);
+  JointOnset(const JointTrackerParams& params, const JointPrior& prior, std::unique_ptr<BirthMethod> births);
 
   /// Begins tracks at the newest scan, which is `scan`.
   void begin(const core::PosedScan& scan, JointState& state);
@@ -35,7 +35,7 @@ class JointOnset {
   JointLifeParams life_;
   JointCloudParams cloud_;
   JointMemory memory_;
-  double max_speed_;
+  JointPrior prior_;
   double log_density_ = 0.0;  ///< ln of the prior density of targets at the newest scan.
   AgeSpan window_;            ///< Scans that a seed is weighed over.
   JointBirth birth_;

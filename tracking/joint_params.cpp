@@ -30,7 +30,6 @@ void validate(const JointCloudParams& p) {
           p.tempering_step);
   require(p.least_exponent > 0.0 && p.least_exponent < 1.0, "least_exponent must be in (0, 1)",
           p.least_exponent);
-  require(p.speed_edge > 0.0, "speed_edge must be > 0", p.speed_edge);
   require(p.position_floor > 0.0, "position_floor must be > 0", p.position_floor);
   require(p.velocity_floor > 0.0, "velocity_floor must be > 0", p.velocity_floor);
   require(p.acceleration_floor > 0.0, "acceleration_floor must be > 0", p.acceleration_floor);
@@ -46,8 +45,6 @@ void validate(const JointObserverParams& p) {
 }
 
 void validate(const JointBirthParams& p) {
-  require(p.expected_targets > 0.0, "expected_targets must be > 0", p.expected_targets);
-  require(p.interior_rate > 0.0, "interior_rate must be > 0", p.interior_rate);
   require(p.window_s > 0.0, "window_s must be > 0", p.window_s);
   require(p.min_lag_scans >= 1, "min_lag_scans must be >= 1", p.min_lag_scans);
   require(p.max_lag_s > 0.0, "max_lag_s must be > 0", p.max_lag_s);
@@ -127,6 +124,7 @@ void validate(const JointHeadingParams& p) {
 
 void validate(const JointTrackerParams& params) {
   csht::validate(params.sensor);
+  validate(params.prior);
   validate(params.cloud);
   validate(params.observer);
   validate(params.birth);

@@ -4,6 +4,7 @@
 
 #include "csht/sensor_likelihood.hpp"
 #include "csht/sensor_model.hpp"
+#include "tracking/joint_prior.hpp"
 
 namespace lookout::tracking {
 
@@ -24,9 +25,8 @@ struct JointCloudParams {
   double tempered_share = 0.1;    ///< Effective share of a cloud whose moments are trusted, in (0, 1); below,
   double tempering_step = 0.8;    ///< its log weights shrink by this factor at a time, in (0, 1),
   double least_exponent = 0.005;  ///< down to this exponent, in (0, 1).
-  double speed_edge = 0.2;  ///< Beyond the limit the prior of speeds falls off with this sigma [m/s], > 0.
-  double position_floor = 0.05;       ///< Least standard deviations that are proposed, > 0: [m],
-  double velocity_floor = 0.01;       ///< [m/s] and
+  double position_floor = 0.05;   ///< Least standard deviations that are proposed, > 0: [m],
+  double velocity_floor = 0.01;   ///< [m/s] and
   double acceleration_floor = 0.005;  ///< [m/s^2] or
   double turn_floor = 0.0005;         ///< [rad/s].
   double acceleration_prior = 0.2;  ///< Standard deviation of each component of a manoeuvre [m/s^2], > 0: up
@@ -43,9 +43,7 @@ struct JointObserverParams {
 
 /// Births: pairs of echoes that no track explains, scored backwards.
 struct JointBirthParams {
-  double expected_targets = 2.0;  ///< In the field of view at any time, > 0; the prior density of births.
-  double interior_rate = 0.004;   ///< Targets that appear inside the field of view, per scan, > 0.
-  double window_s = 20.0;         ///< Longest stretch that a new target is scored over [s], > 0.
+  double window_s = 20.0;  ///< Longest stretch that a new target is scored over [s], > 0.
   double enough_nats =
       30.0;                  ///< Information that is enough to weigh a new target [nats], > 0: twice what the
                              ///< number of trajectories that can be told apart asks for. docs/tracker.md.
@@ -67,8 +65,7 @@ struct JointBirthParams {
   double same_target = 9.0;   ///< Squared Mahalanobis distance (4 degrees of freedom) within which seeds, or
                               ///< a seed and a track, are one target, > 0.
   double track_reach = 30.0;  ///< Tracks farther than this from a seed are not compared with it [m], > 0.
-  double log_birth() const { return std::log(interior_rate / expected_targets); }  ///< AgeSpan::log_birth.
-  double better_nats = 2.0;  ///< By which a seed must beat a tentative track to replace it, >= 0.
+  double better_nats = 2.0;   ///< By which a seed must beat a tentative track to replace it, >= 0.
 };
 
 /// Targets that turn or change speed.
@@ -120,7 +117,7 @@ struct JointReportParams {
   double least_probability = 0.02;  ///< From which a track is weighed for the report, in [0, 1].
   /// A track that was never reported is not before its existence reaches this, in [0, 1]: below it the
   /// expected OSPA gains little, and every other such report is a false track.
-  double first_existence = 0.65;
+  double first_existence = 0.62;
   double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
 };
 
@@ -140,6 +137,7 @@ struct JointLearningParams {
 struct JointTrackerParams {
   csht::SensorModelParams sensor;
   csht::Tolerance tolerance;  ///< Of tracks and of evidence; see there.
+  JointPriorParams prior;
   JointCloudParams cloud;
   JointObserverParams observer;
   JointBirthParams birth;

@@ -73,16 +73,16 @@ void resample(double uniform, JointCloud& cloud, JointCloud& spare) {
 
 }  // namespace
 
-JointSampler::JointSampler(const JointCloudParams& params, double max_speed, core::Random& random)
-    : params_(params), max_speed_(max_speed), pool_(params.tail_freedom, kPoolSize, random) {
+JointSampler::JointSampler(const JointCloudParams& params, const JointPrior& prior, core::Random& random)
+    : params_(params), prior_(prior), pool_(params.tail_freedom, kPoolSize, random) {
   const std::size_t largest = kLargestCloud * static_cast<std::size_t>(params.trajectories);
   for (std::vector<double>* values : {&log_weight_, &log_ratio_}) values->reserve(largest);
   stepped_.reserve(largest);
 }
 
-double JointSampler::log_prior(Motion motion, const Trajectory& trajectory) const {
-  const double excess = std::max(0.0, trajectory.segment<2>(2).norm() - max_speed_) / params_.speed_edge;
-  const double speed = -0.5 * excess * excess;
+double JointSampler::log_prior(Motion motion, const Trajectory& trajectory, bool anchored) const {
+  const double value = trajectory.segment<2>(2).norm();
+  const double speed = anchored ? prior_.log_edge(value) : prior_.log_speed(value);
   if (motion == Motion::line) return speed;
   const double spread = motion == Motion::turn ? params_.turn_prior : params_.acceleration_prior;
   const int extra = dimensions(motion) - dimensions(Motion::line);
@@ -111,9 +111,9 @@ void JointSampler::draw(const CloudMoments& around, std::size_t start, JointClou
   }
 }
 
-void JointSampler::add_prior(const JointCloud& cloud, std::span<double> log_weight) const {
+void JointSampler::add_prior(const JointCloud& cloud, bool anchored, std::span<double> log_weight) const {
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    log_weight[i] += log_prior(cloud.motion, cloud.trajectory(i));
+    log_weight[i] += log_prior(cloud.motion, cloud.trajectory(i), anchored);
 }
 
 // The moments of the cloud; where a few trajectories carry it, of its weights tempered (their logarithms
@@ -160,7 +160,7 @@ void JointSampler::score(const JointCloud& cloud, const Trajectory& mean, const 
                          JointLikelihood& likelihood, std::span<double> log_target) const {
   std::fill(log_target.begin(), log_target.end(), 0.0);
   likelihood.add(cloud, mean, task.ages, task.self, log_target);
-  add_prior(cloud, log_target);
+  add_prior(cloud, task.anchor.has_value(), log_target);
   if (task.anchor) add_anchor(*task.anchor, cloud, log_target);
 }
 

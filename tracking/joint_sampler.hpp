@@ -36,12 +36,12 @@ struct SamplingResult {
 };
 
 /// Adaptive importance sampling of trajectories under the exact likelihood: gives the density of a target and
-/// the evidence for it. [Cappe2004] Sec. 2; the prior is flat up to the speed limit.
+/// the evidence for it. [Cappe2004] Sec. 2.
 class JointSampler {
  public:
   static constexpr std::size_t kLargestCloud = 2;  ///< In clouds of a track: what a manoeuvre is judged with.
 
-  JointSampler(const JointCloudParams& params, double max_speed, core::Random& random);
+  JointSampler(const JointCloudParams& params, const JointPrior& prior, core::Random& random);
 
   /// Fills `cloud` with the last round's weighted trajectories.
   SamplingResult sample(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random,
@@ -52,19 +52,21 @@ class JointSampler {
   /// stays alive. [Gilks2001] Sec. 3.
   void move(const SamplingTask& task, JointLikelihood& likelihood, core::Random& random, JointCloud& cloud);
 
-  /// ln of the prior of a trajectory's velocity and of its acceleration or turn rate; 0 of a slow line.
-  double log_prior(Motion motion, const Trajectory& trajectory) const;
+  /// ln of the prior of a trajectory's velocity and of its acceleration or turn rate; 0 of a line that
+  /// stands.
+  /// @param anchored what it was before is known: of its speed, only that no target is faster than the limit.
+  double log_prior(Motion motion, const Trajectory& trajectory, bool anchored) const;
 
  private:
   void draw(const CloudMoments& around, std::size_t start, JointCloud& cloud);
-  void add_prior(const JointCloud& cloud, std::span<double> log_weight) const;
+  void add_prior(const JointCloud& cloud, bool anchored, std::span<double> log_weight) const;
   void score(const JointCloud& cloud, const Trajectory& mean, const SamplingTask& task,
              JointLikelihood& likelihood, std::span<double> log_target) const;
   void step(const TrajectoryCovariance& root, std::size_t start, const JointCloud& cloud);
   CloudMoments next_guess(JointCloud& cloud);
 
   JointCloudParams params_;
-  double max_speed_;
+  JointPrior prior_;
   ProposalPool pool_;
   std::vector<double> log_weight_, log_ratio_;
   JointCloud stepped_;  ///< Where the trajectories of a cloud would be after a step.

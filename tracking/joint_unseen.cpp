@@ -34,14 +34,8 @@ double nats_per_scan(const csht::SensorFigures& figures, const csht::ScanTable& 
 double JointUnseen::update(const csht::ScanTable& scan, const csht::SensorFigures& figures, double seconds) {
   const double found =
       std::clamp(nats_per_scan(figures, scan), params_.least_nats, params_.begin_nats) / params_.begin_nats;
-  const double sector = std::min(2.0 * std::numbers::pi, scan.num_beams * scan.bearing_step);
-  // Flux of uniformly moving points over a closed border: speed x length / (pi x area).
-  const double border = scan.max_range * (sector + (scan.whole_circle ? 0.0 : 2.0));
-  const double area = 0.5 * sector * scan.max_range * scan.max_range;
-  const double mean_speed = 2.0 / 3.0 * max_speed_;  // Of velocities uniform over a disc.
-  const double entering =
-      params_.expected_targets * mean_speed * border / (std::numbers::pi * area) * seconds;
-  mean_ += entering + params_.interior_rate - found * mean_;
+  since_first_ += seconds;
+  mean_ += prior_.entering(scan, seconds) + prior_.appearing(since_first_) - found * mean_;
   return mean_;
 }
 

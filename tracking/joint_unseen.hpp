@@ -3,6 +3,7 @@
 #include "csht/scan_table.hpp"
 #include "csht/sensor_model.hpp"
 #include "tracking/joint_params.hpp"
+#include "tracking/joint_prior.hpp"
 
 namespace lookout::tracking {
 
@@ -13,8 +14,8 @@ double nats_per_scan(const csht::SensorFigures& figures, const csht::ScanTable& 
 /// at which evidence comes in, and those that enter.
 class JointUnseen {
  public:
-  JointUnseen(const JointBirthParams& params, double max_speed)
-      : params_(params), max_speed_(max_speed), mean_(params.expected_targets) {}
+  JointUnseen(const JointBirthParams& params, const JointPrior& prior)
+      : params_(params), prior_(prior), mean_(prior.expected_targets()) {}
 
   /// Takes one scan in, `seconds` after the one before. @return the mean after it.
   double update(const csht::ScanTable& scan, const csht::SensorFigures& figures, double seconds);
@@ -22,8 +23,9 @@ class JointUnseen {
 
  private:
   JointBirthParams params_;
-  double max_speed_;
+  JointPrior prior_;
   double mean_;
+  double since_first_ = 0.0;  ///< [s].
 };
 
 }  // namespace lookout::tracking

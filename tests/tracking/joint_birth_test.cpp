@@ -4,7 +4,6 @@
 
 #include <Eigen/LU>
 #include <cmath>
-#include <numbers>
 
 #include "tests/tracking/sonar_scene.hpp"
 
@@ -19,18 +18,9 @@ JointLikelihood moving_target(int scans) {
   return likelihood;
 }
 
-TEST(BirthDensity, SpreadsTheExpectedTargetsOverFieldAndSpeeds) {
-  csht::ScanHistory scans({}, {}, 2);
-  scans.push(scan_of(0, {}));
-  const BirthDensity density = birth_density(scans.newest(), 3.0, {});
-  const double field = std::numbers::pi / 4.0 * 150.0 * 150.0, speeds = std::numbers::pi * 9.0;
-  EXPECT_NEAR(std::exp(density.log_standing) * field * speeds, 2.0, 1e-9);
-  EXPECT_NEAR(std::exp(density.log_interior) * field * speeds, 0.004, 1e-9);
-}
-
 TEST(JointBirth, OneTargetIsOneGoodSeed) {
   JointLikelihood likelihood = moving_target(20);
-  JointBirth birth({}, 3.0);
+  JointBirth birth({}, JointPrior());
   const auto seeds = birth.propose(likelihood);
   ASSERT_FALSE(seeds.empty());
   EXPECT_NEAR(seeds[0].guess.mean[0], 69.5, 1.0);
@@ -49,13 +39,13 @@ TEST(JointBirth, WhatATrackClaimsIsNoSeed) {
     const double range = scan.detections[0].range;
     likelihood.add_claim(age, {0, scan.detections[0].beam, static_cast<float>(range), 1.0F});
   }
-  JointBirth birth({}, 3.0);
+  JointBirth birth({}, JointPrior());
   EXPECT_TRUE(birth.propose(likelihood).empty());
 }
 
 TEST(JointBirth, OneScanHasNoPairs) {
   JointLikelihood likelihood = moving_target(1);
-  JointBirth birth({}, 3.0);
+  JointBirth birth({}, JointPrior());
   EXPECT_TRUE(birth.propose(likelihood).empty());
 }
 

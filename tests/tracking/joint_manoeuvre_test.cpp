@@ -63,7 +63,8 @@ TEST(JointManoeuvre, ATurningTargetIsFollowedByOneTrack) {
   EXPECT_LT(outcome.late, 1.0);
 }
 
-// The sector's edge cuts the circle of turn_6deg's first target: for 13 s, longer than the coast, it is unseen.
+// The sector's edge cuts the circle of turn_6deg's first target: for 13 s, longer than the coast, it is
+// unseen.
 TEST(JointManoeuvre, ATargetThatTurnsBackIntoViewIsKnownAgain) {
   JointTracker tracker({}, known_sonar(), 1);
   const double rate = core::radians(6.0), radius = 1.5 / rate;

@@ -21,7 +21,7 @@ std::vector<const JointTrack*> used(const JointState& state) {
 TEST(JointOnset, EightEchoesOfOneTargetAreOneSureTrack) {
   JointState state({}, clear_sonar(), 1);
   push_target(state, 8);
-  JointOnset onset({}, 3.0, nullptr);
+  JointOnset onset({}, JointPrior(), nullptr);
   onset.begin(scan_of(7, {}), state);
   const auto tracks = used(state);
   ASSERT_FALSE(tracks.empty());
@@ -34,7 +34,7 @@ TEST(JointOnset, EightEchoesOfOneTargetAreOneSureTrack) {
 TEST(JointOnset, BeginsNoSecondTrackOnAKnownTarget) {
   JointState state({}, clear_sonar(), 1);
   push_target(state, 8);
-  JointOnset onset({}, 3.0, nullptr);
+  JointOnset onset({}, JointPrior(), nullptr);
   onset.begin(scan_of(7, {}), state);
   const std::size_t before = used(state).size();
   onset.begin(scan_of(7, {}), state);
@@ -44,7 +44,7 @@ TEST(JointOnset, BeginsNoSecondTrackOnAKnownTarget) {
 TEST(JointOnset, OneEchoIsNoTrack) {
   JointState state({}, clear_sonar(), 1);
   push_target(state, 1);
-  JointOnset({}, 3.0, nullptr).begin(scan_of(0, {}), state);
+  JointOnset({}, JointPrior(), nullptr).begin(scan_of(0, {}), state);
   EXPECT_TRUE(used(state).empty());
 }
 
@@ -71,7 +71,7 @@ TEST(JointOnset, AProposalIsWeighedLikeASeedOfItsOwn) {
   JointState state({}, clear_sonar(), 1);
   push_target(state, 8);
   std::size_t told = 99;
-  JointOnset onset({}, 3.0, std::make_unique<OneProposal>(told));
+  JointOnset onset({}, JointPrior(), std::make_unique<OneProposal>(told));
   onset.begin(scan_of(7, {}), state);
   EXPECT_EQ(told, 0U);
   ASSERT_EQ(used(state).size(), 1U);

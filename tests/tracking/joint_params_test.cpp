@@ -39,7 +39,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"trajectories must be in [32, 4096], got 4.", [](auto& p) { p.cloud.trajectories = 4; }},
         BadValue{"trusted_share", [](auto& p) { p.cloud.trusted_share = 1.0; }},
         BadValue{"tempering_step", [](auto& p) { p.cloud.tempering_step = 1.0; }},
-        BadValue{"speed_edge must be > 0, got 0", [](auto& p) { p.cloud.speed_edge = 0.0; }},
+        BadValue{"speed_edge must be > 0, got 0", [](auto& p) { p.prior.speed_edge = 0.0; }},
         BadValue{"past_stride must be >= 1, got 0", [](auto& p) { p.observer.past_stride = 0; }},
         BadValue{"least_nats", [](auto& p) { p.birth.begin_nats = p.birth.least_nats; }},
         BadValue{"manoeuvre rounds", [](auto& p) { p.manoeuvre.rounds = 0; }},

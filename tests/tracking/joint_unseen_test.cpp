@@ -43,14 +43,15 @@ TEST(NatsPerScan, AnUncertainBeamCostsItsEntropy) {
 
 TEST(JointUnseen, FallsFromThePriorToWhatEnters) {
   const csht::ScanHistory scans = one_scan(0.3, 0.3);
-  JointUnseen unseen({}, 3.0);
+  const JointPrior prior;
+  JointUnseen unseen({}, prior);
   const double first = unseen.update(scans.newest(), scans.figures(), 0.0);
-  EXPECT_LT(first, 2.0);
+  EXPECT_LT(first, prior.expected_targets() + prior.appearing(0.0));
   EXPECT_GT(first, 1.0);
   double mean = first;
   for (int k = 0; k < 100; ++k) mean = unseen.update(scans.newest(), scans.figures(), 0.5);
-  // By hand: 2 targets x 2 m/s x 536 m / (pi x 17671 m^2) x 0.5 s = 0.0193 a scan, over 2.1 / 11 found.
-  EXPECT_NEAR(mean, (0.0193 + 0.004) * 11.0 / 2.1 * (1.0 - 0.0), 0.01);
+  // 0.0121 enter a scan (joint_prior_test) and 0.001 appear; 2.1 nats of 11 find them.
+  EXPECT_NEAR(mean, (0.0121 + 0.001) * 11.0 / 2.1, 0.005);
 }
 
 }  // namespace
