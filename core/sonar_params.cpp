@@ -44,6 +44,7 @@ void read_sonar_params(const YamlMap& map, SonarParams& params) {
     params.bearing_sigma = radians(*sigma);
   read_degrees(map, "heading_sigma_deg", params.heading_sigma, {0, 90});
   params.position_sigma = map.number("position_sigma", params.position_sigma, kNotNegative);
+  params.resolution = map.number("resolution", params.resolution, kNotNegative);
   params.max_speed = map.number("max_speed", params.max_speed, kPositive);
   params.scan_period = map.number("scan_period", params.scan_period, kPositive);
   params.latency = map.number("latency", params.latency, {0, 60});
@@ -80,6 +81,7 @@ std::string to_yaml(const SonarParams& params) {
   if (params.bearing_sigma) line("bearing_sigma_deg", degrees(*params.bearing_sigma));
   if (params.heading_sigma > 0.0) line("heading_sigma_deg", degrees(params.heading_sigma));
   if (params.position_sigma > 0.0) line("position_sigma", params.position_sigma);
+  if (params.resolution > 0.0) line("resolution", params.resolution);
   line("max_speed", params.max_speed);
   line("scan_period", params.scan_period);
   if (params.latency > 0.0) line("latency", params.latency);

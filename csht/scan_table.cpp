@@ -53,6 +53,7 @@ void set_point_figures(const SensorFigures& figures, ScanTable& table) {
   const double area = 2.0 * std::numbers::pi * figures.range_sigma * figures.bearing_sigma;
   table.gain = static_cast<float>((1.0 - figures.miss_probability) / (density * area));
   std::fill(table.base.begin(), table.base.end(), static_cast<float>(figures.miss_probability));
+  table.inverse_resolution = figures.resolution > 0.0 ? static_cast<float>(1.0 / figures.resolution) : 0.0F;
   table.inverse_bearing_sigma = static_cast<float>(1.0 / figures.bearing_sigma);
 }
 

@@ -43,6 +43,7 @@ struct ScanTable {
   /// point alone: bearing of each detection from `axis` [rad].
   std::vector<float> bearing_from_axis;
   float inverse_bearing_sigma = 0.0F;  ///< [1/rad].
+  float inverse_resolution = 0.0F;     ///< point alone [1/m]; 0: every target has its own return.
   float half_sector = 0.0F;            ///< Beyond it from `axis` nothing is seen [rad].
 
   /// What the errors of the pose do to beams; see blurred_likelihood.hpp.

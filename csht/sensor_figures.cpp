@@ -60,6 +60,17 @@ Sighting sight(const ScanTable& scan, const Eigen::Vector4d& state, double secon
                                              : sight_in_beam(scan, std::hypot(dn, de), bearing);
 }
 
+// Whether a target makes another's miss worthless: nearer in the same beam or, of a point sensor, nearer to
+// it than the resolution. Both as seen from the sonar.
+bool hides(const ScanTable& scan, const Eigen::Vector2d& target, const Eigen::Vector2d& other) {
+  if (scan.clutter == ClutterModel::point)
+    return scan.inverse_resolution > 0.0F &&
+           (target - other).norm() * static_cast<double>(scan.inverse_resolution) < 1.0;
+  const double across = std::abs(other.x() * target.y() - other.y() * target.x()) / target.norm();
+  const bool nearer = target.norm() < other.norm() && other.dot(target) > 0.0;
+  return nearer && across < scan.bearing_step * other.norm();
+}
+
 }  // namespace
 
 double SensorFigureEstimator::Share::sigma() const {
@@ -131,13 +142,8 @@ void SensorFigureEstimator::learn_target(const ScanHistory& history, std::size_t
     return state.head<2>() + seconds * state.tail<2>() - sonar;
   };
   const Eigen::Vector2d own = line_of_sight(targets[index]);
-  for (std::size_t k = 0; k < targets.size() && scan.clutter != ClutterModel::point; ++k) {
-    const Eigen::Vector2d other = line_of_sight(targets[k]);
-    const double across = std::abs(own.x() * other.y() - own.y() * other.x()) / other.norm();
-    const bool nearer = other.norm() < own.norm() && own.dot(other) > 0.0;
-    if (k != index && targets[k].existence > kHidden && nearer && across < scan.bearing_step * own.norm())
-      return;
-  }
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (k != index && targets[k].existence > kHidden && hides(scan, line_of_sight(targets[k]), own)) return;
   learn_echo(scan, samples, seconds);
 }
 

@@ -8,6 +8,7 @@
 
 #include "csht/blurred_likelihood.hpp"
 #include "csht/fast_math.hpp"
+#include "csht/point_likelihood.hpp"
 #include "csht/vector_clones.hpp"
 
 namespace lookout::csht {
@@ -24,15 +25,13 @@ struct SlotLanes {
 
 // What a tolerance makes of a scan's Gaussian; wider is lower, so that it still averages 1 over clutter.
 struct Shape {
-  float gain, inverse_sigma, inverse_bearing_sigma;
+  float gain, inverse_sigma;
   float inverse_softness;  // Slope of the neighbour's weight, half over edge_softness [1/beam].
 };
 
 Shape shape_of(const ScanTable& scan, const Tolerance& tolerance) {
   const auto scale = static_cast<float>(1.0 / tolerance.sigma_scale);
-  const bool point = scan.clutter == ClutterModel::point;
-  return {scan.gain * scale * (point ? scale : 1.0F), scan.inverse_sigma * scale,
-          scan.inverse_bearing_sigma * scale, static_cast<float>(0.5 / tolerance.edge_softness)};
+  return {scan.gain * scale, scan.inverse_sigma * scale, static_cast<float>(0.5 / tolerance.edge_softness)};
 }
 
 struct Block {
@@ -168,31 +167,6 @@ void score_slots(const ScanTable& scan, const BeamMask* mask, std::size_t count,
   forget_unseen(count, b);
 }
 
-LOOKOUT_VECTOR_CLONES
-void score_point(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
-  constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
-  const auto max_range = static_cast<float>(scan.max_range);
-  for (std::size_t i = 0; i < count; ++i) b.ratio[i] = scan.base[1];
-  for (std::size_t j = 0; j < scan.detections.size(); ++j) {
-    const float gain = mask == nullptr ? b.shape.gain : b.shape.gain * (1.0F - mask->share[j]);
-    const auto range = static_cast<float>(scan.detections[j].range);
-    const float bearing = scan.bearing_from_axis[j];
-    for (std::size_t i = 0; i < count; ++i) {
-      float turn = b.bearing[i] - bearing;
-      turn = turn > 0.5F * kTurn ? turn - kTurn : turn;
-      turn = turn < -0.5F * kTurn ? turn + kTurn : turn;
-      const float dr = (b.range[i] - range) * b.shape.inverse_sigma;
-      const float db = turn * b.shape.inverse_bearing_sigma;
-      b.ratio[i] += gain * fast_exp(-0.5F * (dr * dr + db * db));
-    }
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    const float off = b.bearing[i] < 0.0F ? -b.bearing[i] : b.bearing[i];
-    const float inside = off <= scan.half_sector ? b.ratio[i] : 1.0F;
-    b.ratio[i] = b.range[i] <= max_range ? inside : 1.0F;
-  }
-}
-
 void score_beams(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
   find_slots(scan, count, b);
   if (mask == nullptr)
@@ -222,7 +196,8 @@ void for_each_block(const ScanTable& scan, const BeamMask* mask, const Hypothesi
     const std::size_t count = std::min(kBlock, hypotheses.size() - first);
     place(scan, hypotheses, first, count, seconds, block.range.data(), block.bearing.data());
     if (scan.clutter == ClutterModel::point)
-      score_point(scan, mask, count, block);
+      find_point_ratios(scan, mask, {block.range.data(), count}, {block.bearing.data(), count}, tolerance,
+                        {block.ratio.data(), count});
     else if (scan.blur_reach > 0)
       find_blurred_ratios(scan, mask, {block.range.data(), count}, {block.bearing.data(), count}, tolerance,
                           {block.ratio.data(), count});
@@ -253,18 +228,6 @@ double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, const Shape
   const int neighbour = inside < 0.5 ? slot - 1 : slot + 1;
   return (1.0 - weight) * plain_slot_ratio(scan, mask, shape, slot, range) +
          weight * plain_slot_ratio(scan, mask, shape, neighbour, range);
-}
-
-double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, const Shape& shape, double range,
-                         double bearing) {
-  double ratio = scan.base[1];
-  for (std::size_t j = 0; j < scan.detections.size(); ++j) {
-    const double dr = (range - scan.detections[j].range) * shape.inverse_sigma;
-    const double db = core::wrap_to_pi(bearing - scan.bearing_from_axis[j]) * shape.inverse_bearing_sigma;
-    const double weight = mask == nullptr ? 1.0 : 1.0 - mask->share[j];
-    ratio += weight * shape.gain * std::exp(-0.5 * (dr * dr + db * db));
-  }
-  return std::abs(bearing) <= scan.half_sector ? ratio : 1.0;
 }
 
 }  // namespace
@@ -310,10 +273,9 @@ double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vecto
   if (range > scan.max_range) return 0.0;
   if (scan.blur_reach > 0) return blurred_log_ratio(scan, mask, p_earth, tolerance);
   const double bearing = core::wrap_to_pi(std::atan2(de, dn) - scan.axis);
-  const Shape shape = shape_of(scan, tolerance);
   const double ratio = scan.clutter == ClutterModel::point
-                           ? plain_point_ratio(scan, mask, shape, range, bearing)
-                           : plain_beam_ratio(scan, mask, shape, range, bearing);
+                           ? plain_point_ratio(scan, mask, range, bearing, tolerance)
+                           : plain_beam_ratio(scan, mask, shape_of(scan, tolerance), range, bearing);
   return std::log(ratio);
 }
 

@@ -28,6 +28,7 @@ SensorFigures figures_of(const core::SonarParams& params) {
       away_from_certainty(params.false_alarm_probability.value_or(figures.false_alarm_probability));
   figures.clutter_per_scan =
       std::max(kLeastClutter, params.clutter_per_scan.value_or(figures.clutter_per_scan));
+  figures.resolution = params.resolution;
   figures.heading_sigma = params.heading_sigma;
   figures.position_sigma = params.position_sigma;
   figures.range_sigma = std::hypot(params.range_sigma, params.position_sigma);
@@ -47,6 +48,7 @@ void validate(const SensorFigures& figures) {
   require(figures.clutter_per_scan > 0.0, "clutter_per_scan must be > 0", figures.clutter_per_scan);
   require(figures.range_sigma > 0.0, "range_sigma must be > 0", figures.range_sigma);
   require(figures.bearing_sigma > 0.0, "bearing_sigma must be > 0", figures.bearing_sigma);
+  require(figures.resolution >= 0.0, "resolution must be >= 0", figures.resolution);
   require(figures.heading_sigma >= 0.0, "heading_sigma must be >= 0", figures.heading_sigma);
   require(figures.position_sigma >= 0.0, "position_sigma must be >= 0", figures.position_sigma);
 }

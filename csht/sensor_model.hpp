@@ -19,6 +19,7 @@ struct SensorFigures {
   double clutter_per_scan = 5.0;         ///< Mean number of false returns in a scan, > 0. point alone.
   double range_sigma = 3.0;              ///< [m], > 0.
   double bearing_sigma = 0.01;           ///< [rad], > 0. Used by point, and by least squares everywhere.
+  double resolution = 0.0;               ///< SonarParams::resolution [m], >= 0. Used by point.
   double heading_sigma = 0.0;            ///< Of the heading of a scan's pose [rad], >= 0. Used by beams.
   double position_sigma = 0.0;           ///< Of north and of east of a scan's pose [m], >= 0. The same.
 };

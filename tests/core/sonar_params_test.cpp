@@ -42,6 +42,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   params.heading_sigma = radians(1.0);
   params.position_sigma = 0.5;
   params.latency = 1.25;
+  params.resolution = 12.0;
   SonarParams back;
   read_sonar_params(YamlMap::load_text(to_yaml(params), "t"), back);
   EXPECT_EQ(back.num_beams, params.num_beams);
@@ -52,6 +53,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   EXPECT_NEAR(back.heading_sigma, params.heading_sigma, 1e-15);
   EXPECT_EQ(back.position_sigma, 0.5);
   EXPECT_EQ(back.latency, 1.25);
+  EXPECT_EQ(back.resolution, 12.0);
   EXPECT_FALSE(back.false_alarm_probability);
 }
 

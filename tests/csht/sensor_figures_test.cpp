@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "tests/csht/joint_scenes.hpp"
+#include "tests/csht/posed_scans.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -100,6 +101,30 @@ TEST(SensorFigures, CountsTheReturnsOfAPointSensor) {
     estimator.update(history, {});
   }
   EXPECT_NEAR(estimator.estimate().false_alarm_probability * 90, 7.0, 0.1);
+}
+
+// P_M from 60 scans of a radar in which three targets made two returns, those of the first two; the third
+// stood `apart` [m] behind the first.
+double learnt_misses(double apart) {
+  core::SonarParams radar = testing::sonar();
+  radar.clutter_per_scan = 1.0;
+  radar.resolution = 12.0;
+  SensorFigureEstimator estimator({}, radar);
+  ScanHistory history(estimator.figures(), {.clutter = ClutterModel::point}, 20);
+  const std::array first{Eigen::Vector4d(60.0, 0.0, 0.0, 0.0)}, second{Eigen::Vector4d(20.0, 0.0, 0.0, 0.0)};
+  const std::array third{Eigen::Vector4d(60.0 + apart, 0.0, 0.0, 0.0)};
+  const std::array targets{KnownTarget{first, 1.0, 60}, KnownTarget{second, 1.0, 60},
+                           KnownTarget{third, 1.0, 60}};
+  for (int k = 0; k < 60; ++k) {
+    history.push(posed_scan({{0.0, 60.0, 1}, {0.0, 20.0, 1}}, 500'000 * k));
+    estimator.update(history, targets);
+  }
+  return estimator.estimate().miss_probability;
+}
+
+TEST(SensorFigures, OfTargetsNearerThanTheResolutionAMissTeachesNothing) {
+  EXPECT_NEAR(learnt_misses(40.0), 1.0 / 3.0, 0.03);
+  EXPECT_LT(learnt_misses(11.0), 0.05);  // The second, always heard, teaches alone.
 }
 
 TEST(SensorFigures, RefusesNonsense) {
