@@ -102,7 +102,9 @@ JointManoeuvre::Judgement JointManoeuvre::doubt(const Suspect& suspect, const Be
   double best =
       try_motion(Motion::bend, -std::numeric_limits<double>::infinity(), suspect, {0, oldest}, bench);
   if (best > needed - params_.hopeless_nats) {
-    best = try_motion(Motion::turn, best, suspect, {0, oldest}, bench);
+    const double turn_needs = best + params_.turn_nats;
+    const double turn = try_motion(Motion::turn, turn_needs, suspect, {0, oldest}, bench);
+    if (turn > turn_needs) best = turn;
     if (suspect.track.cloud.motion != Motion::line)
       best = try_motion(Motion::line, best, suspect, {0, oldest}, bench);
   }

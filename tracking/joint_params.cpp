@@ -77,6 +77,7 @@ void validate(const JointManoeuvreParams& p) {
   require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);
   require(p.turn_slack > 0.0, "turn_slack must be > 0", p.turn_slack);
   require(p.hopeless_nats >= 0.0, "hopeless_nats must be >= 0", p.hopeless_nats);
+  require(p.turn_nats >= 0.0, "turn_nats must be >= 0", p.turn_nats);
   require(p.bend_nats >= 0.0, "bend_nats must be >= 0", p.bend_nats);
   require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)", p.trusted_share);
 }

@@ -84,6 +84,7 @@ struct JointManoeuvreParams {
   double turn_slack = 0.07;          ///< Of a turn rate [rad/s], > 0.
   double straighten_nats = 2.5;      ///< Evidence for the line that ends a bend or a young turn, and
   double bend_nats = 1.0;            ///< for the bend that ends a young turn.
+  double turn_nats = 1.0;            ///< By which a turn must beat a bend to begin, >= 0.
   int young_windows = 2;        ///< A line or a turn of at most so many windows may be a wrong one, >= 0.
   double redraw_nats = 1.0;     ///< Evidence for another line that is worth the change, > 0.
   double hopeless_nats = 4.0;   ///< A bend that falls this much short is not worth a look at the rest, >= 0.
