@@ -9,7 +9,9 @@ namespace lookout::tracking {
 namespace {
 
 Eigen::Vector2d moved(const JointCloud& cloud, std::size_t i, double seconds) {
-  return position_at(cloud.motion, cloud.trajectory(i), seconds);
+  if (cloud.motion != Motion::line) return position_at(cloud.motion, cloud.trajectory(i), seconds);
+  return {cloud.north[i] + seconds * cloud.north_velocity[i],
+          cloud.east[i] + seconds * cloud.east_velocity[i]};
 }
 
 double total_weight(const JointCloud& cloud, std::size_t stride) {
