@@ -9,7 +9,7 @@
 
 namespace lookout::tracking {
 JointManoeuvre::JointManoeuvre(const JointManoeuvreParams& params, int trajectories)
-    : params_(params), samples_(2 * trajectories) {
+    : params_(params), samples_(trajectories) {
   other_.reserve(static_cast<std::size_t>(samples_));
 }
 

@@ -75,7 +75,7 @@ void resample(double uniform, JointCloud& cloud, JointCloud& spare) {
 
 JointSampler::JointSampler(const JointCloudParams& params, const JointPrior& prior, core::Random& random)
     : params_(params), prior_(prior), pool_(params.tail_freedom, kPoolSize, random) {
-  const std::size_t largest = kLargestCloud * static_cast<std::size_t>(params.trajectories);
+  const auto largest = static_cast<std::size_t>(params.trajectories);
   for (std::vector<double>* values : {&log_weight_, &log_ratio_}) values->reserve(largest);
   stepped_.reserve(largest);
 }
@@ -134,7 +134,7 @@ SamplingResult JointSampler::sample(const SamplingTask& task, JointLikelihood& l
                                     core::Random& random, JointCloud& cloud) {
   const auto size = static_cast<std::size_t>(task.samples);
   cloud.motion = task.guess.motion;
-  cloud.reserve(std::max(size, kLargestCloud * static_cast<std::size_t>(params_.trajectories)));
+  cloud.reserve(std::max(size, static_cast<std::size_t>(params_.trajectories)));
   cloud.resize(size);
   log_weight_.resize(size);
   log_ratio_.resize(size);

@@ -39,8 +39,6 @@ struct SamplingResult {
 /// the evidence for it. [Cappe2004] Sec. 2.
 class JointSampler {
  public:
-  static constexpr std::size_t kLargestCloud = 2;  ///< In clouds of a track: what a manoeuvre is judged with.
-
   JointSampler(const JointCloudParams& params, const JointPrior& prior, core::Random& random);
 
   /// Fills `cloud` with the last round's weighted trajectories.

@@ -27,8 +27,7 @@ JointState::JointState(const JointTrackerParams& params, const core::SonarParams
       sampler(params.cloud, JointPrior(params.prior, sonar.max_speed), random),
       max_tracks_(static_cast<std::size_t>(params.life.max_tracks)),
       settled_log_odds_(params.life.settled_log_odds) {
-  const std::size_t largest =
-      JointSampler::kLargestCloud * static_cast<std::size_t>(params.cloud.trajectories);
+  const auto largest = static_cast<std::size_t>(params.cloud.trajectories);
   fresh.reserve(largest);
   tracks.reserve(max_tracks_);
   tracks.resize(std::min(max_tracks_, static_cast<std::size_t>(params.life.ready_tracks)));
