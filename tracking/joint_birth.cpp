@@ -217,7 +217,8 @@ void JointBirth::weigh(JointLikelihood& likelihood, int oldest) {
     lines_.north_velocity[k] = mean[2];
     lines_.east_velocity[k] = mean[3];
   }
-  step_.assign(seeds_.size(), 0.0);
+  step_.resize(seeds_.size());
+  likelihood.begin(lines_.span(), scans_->seconds_at_age(oldest), oldest, step_);
   for (int age = oldest; age >= 0; --age) {
     csht::add_births(likelihood.log_birth(age), step_);
     csht::add_log_ratio(scans_->at_age(age), likelihood.mask(age, JointLikelihood::kNobody, -1),

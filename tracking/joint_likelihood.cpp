@@ -11,6 +11,7 @@ namespace lookout::tracking {
 namespace {
 
 constexpr double kCompatibleSigmas = 2.5;     // An echo this near to a track's range is explained by it.
+constexpr double kLeastUnseen = 1e-9;         // None, for a logarithm.
 constexpr std::size_t kClaimsReserved = 512;  // Of one scan; more are taken, at the price of an allocation.
 
 }  // namespace
@@ -31,14 +32,16 @@ JointLikelihood::JointLikelihood(const csht::SensorFigures& figures, const csht:
     : tolerance_(tolerance),
       scans_(figures, model, capacity),
       prior_(prior),
+      log_unseen_(static_cast<std::size_t>(capacity)),
       claims_(static_cast<std::size_t>(capacity)) {
   for (auto& claims : claims_) claims.reserve(kClaimsReserved);
   existence_.assign(static_cast<std::size_t>(max_owners), 0.0);
 }
 
-void JointLikelihood::push(const core::PosedScan& scan) {
+void JointLikelihood::push(const core::PosedScan& scan, double unseen) {
   scans_.push(scan);
   if (scans_.pushed() == 1) first_utime_ = scans_.newest().utime;
+  log_unseen_[ring_index(0)] = std::log(std::max(unseen, kLeastUnseen));
   claims_at(0).clear();
 }
 
@@ -127,8 +130,24 @@ double JointLikelihood::explained(int age, int index, double range) const {
   return std::min(sum, 1.0);
 }
 
+void JointLikelihood::begin(const csht::HypothesisSpan& hypotheses, double seconds, int oldest,
+                            std::span<double> log_ratio) {
+  const csht::ScanTable& scan = scans_.at_age(oldest);
+  range_.resize(hypotheses.size());
+  bearing_.resize(hypotheses.size());
+  csht::locate(scan, hypotheses, seconds, range_, bearing_);
+  const auto half_sector = static_cast<float>(0.5 * scan.num_beams * scan.bearing_step);
+  const auto max_range = static_cast<float>(scan.max_range);
+  const double log_unseen = log_unseen_[ring_index(oldest)];
+  for (std::size_t i = 0; i < hypotheses.size(); ++i) {
+    const bool in_view = range_[i] <= max_range && std::abs(bearing_[i]) <= half_sector;
+    log_ratio[i] = in_view ? log_unseen : 0.0;
+  }
+}
+
 void JointLikelihood::add(const JointCloud& cloud, const Trajectory& mean, const AgeSpan& ages, int self,
                           std::span<double> log_ratio) {
+  if (ages.births) begin_cloud(cloud, ages.oldest, log_ratio);
   for (int age = ages.oldest; age >= ages.newest; --age) {
     if (ages.births) csht::add_births(log_birth(age), log_ratio);
     const csht::BeamMask* others = nullptr;
@@ -138,6 +157,16 @@ void JointLikelihood::add(const JointCloud& cloud, const Trajectory& mean, const
     }
     add_scan(cloud, age, others, log_ratio);
   }
+}
+
+void JointLikelihood::begin_cloud(const JointCloud& cloud, int oldest, std::span<double> log_ratio) {
+  const double seconds = scans_.seconds_at_age(oldest);
+  if (cloud.motion == Motion::line) {
+    begin(cloud.span(), seconds, oldest, log_ratio);
+    return;
+  }
+  cloud.place(seconds, moved_);
+  begin(moved_.span(), 0.0, oldest, log_ratio);
 }
 
 void JointLikelihood::add_scan(const JointCloud& cloud, int age, const csht::BeamMask* mask,

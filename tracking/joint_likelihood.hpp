@@ -41,7 +41,8 @@ class JointLikelihood {
                   const csht::Tolerance& tolerance, int capacity, int max_owners,
                   const JointPrior& prior = JointPrior());
 
-  void push(const core::PosedScan& scan);
+  /// @param unseen targets in view before this scan that no track stands for, relative to those of the prior.
+  void push(const core::PosedScan& scan, double unseen = 1.0);
   const csht::ScanHistory& scans() const { return scans_; }
   /// ln of the targets that appear at the scan of this age, relative to those that stand there.
   double log_birth(int age) const {
@@ -59,8 +60,13 @@ class JointLikelihood {
   void forget_claims(int owner);
   void forget_claims(int owner, int age);
 
+  /// Sets `log_ratio[i]` to ln of the density of targets that stood where hypothesis i, moved by `seconds`,
+  /// was before the scan of age `oldest`, relative to that of the prior: in view, as far as they were not
+  /// found yet.
+  void begin(const csht::HypothesisSpan& hypotheses, double seconds, int oldest, std::span<double> log_ratio);
+
   /// Adds to `log_ratio[i]` what the scans of these ages say of trajectory i, the claims of all but `self`
-  /// left out; with births, `log_ratio` is zero before. The sum over the beginnings is
+  /// left out; with births, what `log_ratio` held before is lost. The sum over the beginnings is
   /// Q_t = (Q_{t-1} + birth) L_t, oldest first, as in docs/estimator.md.
   /// @param mean of the trajectories, near which claims matter.
   void add(const JointCloud& cloud, const Trajectory& mean, const AgeSpan& ages, int self,
@@ -84,16 +90,19 @@ class JointLikelihood {
   const std::vector<Claim>& claims_at(int age) const;
   std::size_t ring_index(int age) const;
   void claim_beam(const csht::ScanTable& scan, const Claim& claim, double share);
+  void begin_cloud(const JointCloud& cloud, int oldest, std::span<double> log_ratio);
   void add_scan(const JointCloud& cloud, int age, const csht::BeamMask* mask, std::span<double> log_ratio);
 
   csht::Tolerance tolerance_;
   csht::ScanHistory scans_;
   JointPrior prior_;
   std::int64_t first_utime_ = 0;
+  std::vector<double> log_unseen_;  ///< As given to `push`, of each scan kept.
   std::vector<std::vector<Claim>> claims_;
   std::vector<double> existence_;
   csht::BeamMask mask_;
   JointCloud moved_;
+  std::vector<float> range_, bearing_;  ///< Of hypotheses, where they begin.
 };
 
 /// The beam in which the scan has an earth-frame position; out of 0 .. num_beams - 1 outside the sector.

@@ -118,7 +118,7 @@ struct JointReportParams {
   double least_probability = 0.02;  ///< From which a track is weighed for the report, in [0, 1].
   /// A track that was never reported is not before its existence reaches this, in [0, 1]: below it the
   /// expected OSPA gains little, and every other such report is a false track.
-  double first_existence = 0.62;
+  double first_existence = 0.58;
   double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
 };
 

@@ -8,10 +8,11 @@ namespace lookout::tracking {
 struct JointPriorParams {
   double expected_targets = 2.0;  ///< In the field of view at any time, > 0.
   double interior_rate = 0.001;   ///< Targets that appear inside the field of view, per scan, > 0.
-  double settling_s = 2.0;  ///< For so long after the first scan, which may not show all that is there [s],
-  double settling_rate = 1.0;  ///< >= 0, so many more come into sight a scan, >= 0. docs/tracker.md.
-  double speed_sigmas = 3.0;   ///< The speed limit in standard deviations of a velocity component, > 0.
-  double speed_edge = 0.2;     ///< Beyond the limit densities fall off with this sigma [m/s], > 0.
+  /// A sonar that starts may not show at once all that is there: during the first seconds [s], >= 0, so many
+  /// more come into sight a scan, >= 0. docs/tracker.md.
+  double settling_s = 2.0, settling_rate = 1.0;
+  double speed_sigmas = 3.0;  ///< The speed limit in standard deviations of a velocity component, > 0.
+  double speed_edge = 0.2;    ///< Beyond the limit densities fall off with this sigma [m/s], > 0.
 };
 
 /// @throws std::invalid_argument showing the value that is out of range.
@@ -36,7 +37,7 @@ class JointPrior {
   /// [1 / (m^2 (m/s)^2)].
   double log_standing(const csht::ScanTable& scan) const;
 
-  /// Targets that appear inside at a scan so long after the first.
+  /// Targets that come into sight inside at a scan so long after the first.
   double appearing(double seconds_since_first) const;
   /// ln of the same, relative to those that stand there.
   double log_birth(double seconds_since_first) const;

@@ -40,7 +40,7 @@ std::span<const core::Track> JointTracker::update(const core::PosedScan& scan) {
 
 void JointTracker::take(const core::PosedScan& scan) {
   state_.random.reseed(seed_, core::RandomStream::tracker, static_cast<std::uint64_t>(scan.scan.sequence));
-  state_.likelihood.push(scan);
+  state_.likelihood.push(scan, unseen_.relative());
   const csht::ScanHistory& scans = state_.scans();
   const double seconds = scans.size() < 2 ? 0.0 : -scans.seconds_at_age(1);
   unseen_.update(scans.newest(), scans.figures(), seconds);

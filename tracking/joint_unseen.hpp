@@ -10,8 +10,8 @@ namespace lookout::tracking {
 /// Mean information of one scan on a target in view [nats]. docs/tracker.md.
 double nats_per_scan(const csht::SensorFigures& figures, const csht::ScanTable& scan);
 
-/// How many targets are in view that no track stands for, on average: those of the prior, found at the rate
-/// at which evidence comes in, and those that enter.
+/// How many targets are in view that no track stands for, on average: those of the prior and those that come
+/// into sight, found at the rate at which evidence comes in.
 class JointUnseen {
  public:
   JointUnseen(const JointBirthParams& params, const JointPrior& prior)
@@ -20,6 +20,7 @@ class JointUnseen {
   /// Takes one scan in, `seconds` after the one before. @return the mean after it.
   double update(const csht::ScanTable& scan, const csht::SensorFigures& figures, double seconds);
   double mean() const { return mean_; }
+  double relative() const { return mean_ / prior_.expected_targets(); }  ///< To those of the prior.
 
  private:
   JointBirthParams params_;

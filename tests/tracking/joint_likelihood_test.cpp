@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 #include "tests/tracking/sonar_scene.hpp"
@@ -105,6 +106,31 @@ TEST(JointLikelihood, ACurvedTrajectoryIsScoredWhereItWas) {
   cloud.east_acceleration[0] = 400.0;  // 50 m off half a second ago.
   EXPECT_LT(log_ratio(likelihood, cloud, {1, 1}, 0), 0.0);
   EXPECT_GT(log_ratio(likelihood, cloud, {0, 0}, 0), 3.0);
+}
+
+TEST(JointLikelihood, WhatStoodInViewBeforeWasFoundButForTheUnseen) {
+  JointLikelihood likelihood({}, {}, {}, 10, 4);
+  for (int k = 0; k < 3; ++k) likelihood.push(scan_of(k, {}), 0.1);
+  const auto begun = [&](double north, double east) {
+    const JointCloud cloud = one_at(north, east);
+    std::vector<double> sum(1, 7.0);  // What it held before is lost.
+    likelihood.begin(cloud.span(), likelihood.scans().seconds_at_age(2), 2, sum);
+    return sum[0];
+  };
+  EXPECT_NEAR(begun(60.0, 0.5), std::log(0.1), 1e-12);
+  EXPECT_EQ(begun(151.0, 0.0), 0.0);  // Beyond the range.
+  EXPECT_EQ(begun(10.0, 60.0), 0.0);  // Out of the sector.
+  EXPECT_EQ(begun(-60.0, 0.0), 0.0);
+}
+
+TEST(JointLikelihood, BirthsComeWithTheScansOfTheSettling) {
+  const JointPrior prior({.settling_s = 1.0});
+  JointLikelihood likelihood({}, {}, {}, 10, 4, prior);
+  for (int k = 4; k < 8; ++k) likelihood.push(scan_of(k, {}));  // The first at 2 s.
+  EXPECT_EQ(likelihood.log_birth(3), prior.log_birth(0.0));
+  EXPECT_EQ(likelihood.log_birth(2), prior.log_birth(0.5));
+  EXPECT_EQ(likelihood.log_birth(1), prior.log_birth(1.0));
+  EXPECT_LT(likelihood.log_birth(1), likelihood.log_birth(2));
 }
 
 }  // namespace
