@@ -2,22 +2,31 @@
 
 #include <algorithm>
 
+#include "tracking/joint_unseen.hpp"
+
 namespace lookout::tracking {
 
 void JointOutput::choose(double unseen, JointState& state) {
   candidates_.clear();
+  const double least = least_first_existence(state.scans());
   double tentative = 0.0;
   for (std::size_t slot = 0; slot < state.tracks.size(); ++slot) {
     const JointTrack& track = state.tracks[slot];
     const double p = track.used && !track.out_of_view ? track.existence() * track.visible_share : 0.0;
     if (track.log_odds < 0.0) tentative += p;
-    const bool new_and_doubtful = !track.confirmed_once && p < params_.first_existence;
+    const bool new_and_doubtful = !track.confirmed_once && p < least;
     if (p < params_.least_probability || (new_and_doubtful && !params_.report_all)) continue;
     candidates_.push_back({slot, p, track.moments.covariance(0, 0) + track.moments.covariance(1, 1)});
   }
   const std::size_t count = report_.choose(candidates_, std::max(0.0, unseen - tentative), state.random);
   for (std::size_t i = 0; i < candidates_.size(); ++i)
     confirm(state.tracks[candidates_[i].slot], i < count, state);
+}
+
+// Of a track that was never reported.
+double JointOutput::least_first_existence(const csht::ScanHistory& scans) const {
+  const double nats = nats_per_scan(scans.figures(), scans.newest());
+  return probability(std::max(0.0, params_.first_log_odds - params_.first_overshoot * nats));
 }
 
 void JointOutput::confirm(JointTrack& track, bool report, const JointState& state) const {

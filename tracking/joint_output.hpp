@@ -24,6 +24,7 @@ class JointOutput {
   std::span<const core::Track> publish(JointState& state);
 
  private:
+  double least_first_existence(const csht::ScanHistory& scans) const;
   void confirm(JointTrack& track, bool report, const JointState& state) const;
   void publish_track(const JointTrack& track);
 

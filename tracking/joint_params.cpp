@@ -103,8 +103,7 @@ void validate(const JointReportParams& p) {
   require(p.samples >= 1, "samples must be >= 1", p.samples);
   require(p.least_probability >= 0.0 && p.least_probability <= 1.0, "least_probability must be in [0, 1]",
           p.least_probability);
-  require(p.first_existence >= 0.0 && p.first_existence <= 1.0, "first_existence must be in [0, 1]",
-          p.first_existence);
+  require(p.first_overshoot >= 0.0, "first_overshoot must be >= 0", p.first_overshoot);
   require(p.published_tentative >= 0.0 && p.published_tentative <= 1.0,
           "published_tentative must be in [0, 1]", p.published_tentative);
 }

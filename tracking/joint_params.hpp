@@ -116,9 +116,12 @@ struct JointReportParams {
   double cutoff = 20.0;             ///< Of the OSPA that is minimised [m], > 0.
   int samples = 128;                ///< Target sets drawn to estimate it, >= 1.
   double least_probability = 0.02;  ///< From which a track is weighed for the report, in [0, 1].
-  /// A track that was never reported is not before its existence reaches this, in [0, 1]: below it the
-  /// expected OSPA gains little, and every other such report is a false track.
-  double first_existence = 0.58;
+  /// A track that was never reported is not before its log odds reach this, less `first_overshoot` times the
+  /// mean information of a scan, 0 at least: where scans tell much, odds that cross a threshold leap far
+  /// beyond it; where they tell little, they creep over it, and every other such report were a false track.
+  /// [Siegmund1985] Ch. 4 corrects sequential tests for the same overshoot.
+  double first_log_odds = 1.5;
+  double first_overshoot = 0.7;       ///< >= 0.
   double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
 };
 

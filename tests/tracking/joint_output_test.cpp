@@ -46,6 +46,24 @@ TEST(JointOutput, WithMuchUnseenADoubtfulTrackIsReportedAgain) {
   EXPECT_EQ(output_of(output, 0.0, state)[0].status, core::TrackStatus::tentative);
 }
 
+// 2.1 nats a scan at (.3, .3) (joint_unseen_test), 1.25 at (.5, .5): 0.6 are too little where a scan tells
+// less.
+TEST(JointOutput, WhereAScanTellsLittleAFirstReportNeedsMore) {
+  JointReportParams params;
+  params.first_log_odds = 1.5;
+  params.first_overshoot = 0.7;
+  for (const double p : {0.3, 0.5}) {
+    core::SonarParams sonar = clear_sonar();
+    sonar.miss_probability = sonar.false_alarm_probability = p;
+    JointState state({}, sonar, 1);
+    state.likelihood.push(scan_of(0, {}));
+    add_track(state, kLine, 0.3);
+    JointOutput output(params, state.random);
+    EXPECT_EQ(output_of(output, 6.0, state)[0].status,
+              p < 0.4 ? core::TrackStatus::confirmed : core::TrackStatus::tentative);
+  }
+}
+
 TEST(JointOutput, OutOfViewAConfirmedTrackCoasts) {
   JointState state = empty_sea();
   JointTrack& track = add_track(state, kLine, 3.0);

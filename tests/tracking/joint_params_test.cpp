@@ -47,6 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"same_target", [](auto& p) { p.birth.same_target = 0.0; }},
         BadValue{"manoeuvre prior", [](auto& p) { p.manoeuvre.prior = 0.0; }},
         BadValue{"in_view_share", [](auto& p) { p.life.in_view_share = 0.0; }},
+        BadValue{"first_overshoot", [](auto& p) { p.report.first_overshoot = -1.0; }},
         BadValue{"published_tentative", [](auto& p) { p.report.published_tentative = 1.5; }},
         BadValue{"heading steps must be >= 1, got 0", [](auto& p) { p.heading.steps = 0; }},
         BadValue{"target_samples", [](auto& p) { p.learning.target_samples = 0; }}));
