@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
 #include "csht/blurred_likelihood.hpp"
 #include "csht/fast_math.hpp"
@@ -16,6 +15,7 @@ namespace {
 
 constexpr std::size_t kBlock = 64;   // Hypotheses at a time: the block's arrays stay in the first cache.
 constexpr std::size_t kFewNear = 4;  // Fewer than one in so many near an edge are few.
+static_assert(kBlock <= kPointBlock);
 using Lane = std::array<float, kBlock>;
 
 // A slot's likelihood ratio as loaded for each hypothesis.

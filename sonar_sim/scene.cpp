@@ -87,6 +87,8 @@ SonarPlan read_sonar(const YamlMap& map) {
   sonar.echo_range_sigma = echo_sigma.value_or(sonar.params.range_sigma);
   if (sonar.params.latency > 0.0)
     map.fail("latency", "is of real sensors, expected 0: a simulated scan is never late");
+  if (sonar.params.resolution > 0.0)
+    map.fail("resolution", "is of real sensors, expected 0: simulated returns never merge");
   if (!sonar.params.miss_probability) map.fail("miss_probability", "is missing, expected a number >= 0 <= 1");
   if (!sonar.params.false_alarm_probability && !sonar.params.point_sensor())
     map.fail("false_alarm_probability", "is missing, expected it or clutter_per_scan");

@@ -1,6 +1,7 @@
 #include "tracking/joint_cloud.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "csht/fast_math.hpp"
@@ -98,6 +99,7 @@ void JointCloud::predict(double seconds) {
 }
 
 void JointCloud::place(double seconds, JointCloud& at) const {
+  assert(motion != Motion::line);  // Lines are placed by those who score them.
   at.resize(size());
   const Arrays from{north.data(),
                     east.data(),

@@ -14,7 +14,7 @@ void JointHeading::refine(JointState& state) {
 
 std::optional<csht::HeadingError> JointHeading::find(std::span<const JointTrack> tracks,
                                                      const csht::ScanHistory& scans) {
-  csht::SensorFigures figures = scans.figures();
+  const csht::SensorFigures& figures = scans.figures();
   const double prior = figures.heading_sigma;
   if (prior <= 0.0 || scans.model().clutter == csht::ClutterModel::point) return std::nullopt;
   const auto telling =

@@ -23,7 +23,7 @@ JointLearning::JointLearning(const JointLearningParams& params, double least_exi
 void JointLearning::learn(JointState& state) {
   targets_.clear();
   for (const JointTrack& track : state.tracks) {
-    if (!track.used || track.cloud.motion != Motion::line || track.existence() < least_existence_) continue;
+    if (!track.used || track.cloud.motion == Motion::bend || track.existence() < least_existence_) continue;
     if (samples_.size() == targets_.size())
       samples_.emplace_back().reserve(static_cast<std::size_t>(params_.target_samples));
     auto& samples = samples_[targets_.size()];

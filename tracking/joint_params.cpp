@@ -3,6 +3,7 @@
 
 #include "tracking/joint_params.hpp"
 
+#include <cmath>
 namespace lookout::tracking {
 namespace {
 
@@ -76,6 +77,10 @@ void validate(const JointManoeuvreParams& p) {
   require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);
   require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);
   require(p.turn_slack > 0.0, "turn_slack must be > 0", p.turn_slack);
+  require(p.straighten_nats >= 0.0, "straighten_nats must be >= 0", p.straighten_nats);
+  require(p.redraw_nats > 0.0, "redraw_nats must be > 0", p.redraw_nats);
+  require(p.young_windows >= 0, "young_windows must be >= 0", p.young_windows);
+  require(p.sudden_scans >= 1, "sudden_scans must be >= 1", p.sudden_scans);
   require(p.hopeless_nats >= 0.0, "hopeless_nats must be >= 0", p.hopeless_nats);
   require(p.turn_nats >= 0.0, "turn_nats must be >= 0", p.turn_nats);
   require(p.bend_nats >= 0.0, "bend_nats must be >= 0", p.bend_nats);
@@ -103,6 +108,10 @@ void validate(const JointReportParams& p) {
   require(p.samples >= 1, "samples must be >= 1", p.samples);
   require(p.least_probability >= 0.0 && p.least_probability <= 1.0, "least_probability must be in [0, 1]",
           p.least_probability);
+  require(std::isfinite(p.first_log_odds) && p.first_log_odds >= 0.0, "first_log_odds must be >= 0",
+          p.first_log_odds);
+  require(std::isfinite(p.first_least_log_odds) && p.first_least_log_odds >= 0.0,
+          "first_least_log_odds must be >= 0", p.first_least_log_odds);
   require(p.first_overshoot >= 0.0, "first_overshoot must be >= 0", p.first_overshoot);
   require(p.published_tentative >= 0.0 && p.published_tentative <= 1.0,
           "published_tentative must be in [0, 1]", p.published_tentative);

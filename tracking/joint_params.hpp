@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "csht/sensor_likelihood.hpp"
 #include "csht/sensor_model.hpp"
 #include "tracking/joint_prior.hpp"
@@ -82,9 +80,9 @@ struct JointManoeuvreParams {
   double velocity_slack = 0.5;       ///< [m/s], > 0, and
   double acceleration_slack = 0.15;  ///< [m/s^2], > 0, one standard deviation each.
   double turn_slack = 0.07;          ///< Of a turn rate [rad/s], > 0.
-  double straighten_nats = 2.5;      ///< Evidence for the line that ends a bend or a young turn, and
-  double bend_nats = 1.0;            ///< for the bend that ends a young turn.
-  double turn_nats = 1.0;            ///< By which a turn must beat a bend to begin, >= 0.
+  double straighten_nats = 2.5;      ///< Evidence for the line that ends a bend or a young turn, >= 0, and
+  double bend_nats = 1.0;            ///< for the bend that ends a young turn, >= 0.
+  double turn_nats = 1.0;            ///< By which a turn must beat a bend where a line ends, >= 0.
   int young_windows = 2;        ///< A line or a turn of at most so many windows may be a wrong one, >= 0.
   double redraw_nats = 1.0;     ///< Evidence for another line that is worth the change, > 0.
   double hopeless_nats = 4.0;   ///< A bend that falls this much short is not worth a look at the rest, >= 0.
@@ -116,13 +114,14 @@ struct JointReportParams {
   double cutoff = 20.0;             ///< Of the OSPA that is minimised [m], > 0.
   int samples = 128;                ///< Target sets drawn to estimate it, >= 1.
   double least_probability = 0.02;  ///< From which a track is weighed for the report, in [0, 1].
-  /// A track that was never reported is not before its log odds reach this, less `first_overshoot` times the
-  /// mean information of a scan, 0 at least: where scans tell much, odds that cross a threshold leap far
-  /// beyond it; where they tell little, they creep over it, and every other such report were a false track.
-  /// [Siegmund1985] Ch. 4 corrects sequential tests for the same overshoot.
-  double first_log_odds = 1.5;
-  double first_overshoot = 0.7;       ///< >= 0.
-  double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
+  /// A track that was never reported is not before the log odds that it is there, in view, reach this [nats],
+  /// >= 0, less `first_overshoot` times the mean information of a scan: where scans tell much, odds that
+  /// cross a threshold leap far beyond it; where they tell little, they creep over it, and every other such
+  /// report would be a false track. [Siegmund1985] Ch. 4 corrects sequential tests for the same overshoot.
+  double first_log_odds = 1.25;
+  double first_overshoot = 0.5;        ///< >= 0.
+  double first_least_log_odds = 0.25;  ///< The least that is ever asked for [nats], >= 0.
+  double published_tentative = 0.05;   ///< Existence from which a tentative track is published, in [0, 1].
 };
 
 /// The error of a heading that the targets of a scan share.

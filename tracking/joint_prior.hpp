@@ -9,7 +9,7 @@ struct JointPriorParams {
   double expected_targets = 2.0;  ///< In the field of view at any time, > 0.
   double interior_rate = 0.001;   ///< Targets that appear inside the field of view, per scan, > 0.
   /// A sonar that starts may not show at once all that is there: during the first seconds [s], >= 0, so many
-  /// more come into sight a scan, >= 0. docs/tracker.md.
+  /// more come into sight at every scan, >= 0. docs/tracker.md.
   double settling_s = 2.0, settling_rate = 1.0;
   double speed_sigmas = 3.0;  ///< The speed limit in standard deviations of a velocity component, > 0.
   double speed_edge = 0.2;    ///< Beyond the limit densities fall off with this sigma [m/s], > 0.
@@ -28,7 +28,7 @@ class JointPrior {
   double max_speed() const { return max_speed_; }
   double velocity_sigma() const { return velocity_sigma_; }  ///< Of each component [m/s].
 
-  /// ln of how much less probable a velocity is than standing still: [m/s].
+  /// ln of how much less probable a velocity is than standing still. @param speed [m/s].
   double log_speed(double speed) const;
   /// ln of what is left of any density of speeds at this one: 0 up to the limit, falling off beyond it.
   double log_edge(double speed) const;

@@ -20,11 +20,11 @@ csht::SensorModelParams model_of(const JointTrackerParams& params, const core::S
 }  // namespace
 
 JointState::JointState(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed)
-    : random(seed, core::RandomStream::tracker),
+    : prior(params.prior, sonar.max_speed),
+      random(seed, core::RandomStream::tracker),
       likelihood(csht::figures_of(sonar), model_of(params, sonar), params.tolerance,
-                 capacity_of(params, sonar), params.life.max_tracks,
-                 JointPrior(params.prior, sonar.max_speed)),
-      sampler(params.cloud, JointPrior(params.prior, sonar.max_speed), random),
+                 capacity_of(params, sonar), params.life.max_tracks, prior),
+      sampler(params.cloud, prior, random),
       max_tracks_(static_cast<std::size_t>(params.life.max_tracks)),
       settled_log_odds_(params.life.settled_log_odds) {
   const auto largest = static_cast<std::size_t>(params.cloud.trajectories);

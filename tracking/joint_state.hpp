@@ -22,6 +22,7 @@ class JointState {
   /// @param params validated. @param seed of all draws; those of a scan derive from (seed, sequence) alone.
   JointState(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed);
 
+  JointPrior prior;
   core::Random random;
   JointLikelihood likelihood;
   JointSampler sampler;

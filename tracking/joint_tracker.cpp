@@ -17,10 +17,10 @@ JointTracker::JointTracker(const JointTrackerParams& params, const core::SonarPa
     : params_(validated(params)),
       seed_(seed),
       state_(params, sonar, seed),
-      unseen_(params.birth, JointPrior(params.prior, sonar.max_speed)),
+      unseen_(params.birth, state_.prior),
       filter_(params),
       heading_(params.heading),
-      onset_(params, JointPrior(params.prior, sonar.max_speed), std::move(births)),
+      onset_(params, state_.prior, std::move(births)),
       ending_(params.life),
       output_(params.report, state_.random),
       learning_(params.learning, params.report.min_existence, sonar) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "csht/scan_table.hpp"
 #include "csht/sensor_model.hpp"
 #include "tracking/joint_params.hpp"
@@ -20,7 +22,8 @@ class JointUnseen {
   /// Takes one scan in, `seconds` after the one before. @return the mean after it.
   double update(const csht::ScanTable& scan, const csht::SensorFigures& figures, double seconds);
   double mean() const { return mean_; }
-  double relative() const { return mean_ / prior_.expected_targets(); }  ///< To those of the prior.
+  /// To those of the prior, 1 at most: however long nothing was seen, no more stand there than that.
+  double relative() const { return std::min(1.0, mean_ / prior_.expected_targets()); }
 
  private:
   JointBirthParams params_;

@@ -30,6 +30,7 @@ std::span<const core::Track> LateScanTracker::update(const core::PosedScan& scan
 }
 
 void LateScanTracker::explain_to(DecisionLog log) {
+  if (!log) return tracker_->explain_to(nullptr);
   tracker_->explain_to([log = std::move(log), latency = latency_](TrackDecision decision) {
     decision.utime += latency;
     log(decision);

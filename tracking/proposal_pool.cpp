@@ -28,8 +28,7 @@ double chi_square(double freedom, core::Random& random) {
 
 }  // namespace
 
-ProposalPool::ProposalPool(double freedom, std::size_t size, core::Random& random)
-    : freedom_(freedom), mask_(size - 1) {
+ProposalPool::ProposalPool(double freedom, std::size_t size, core::Random& random) : mask_(size - 1) {
   assert(size > 0 && (size & mask_) == 0);
   draws_.resize(size);
   for (Draw& draw : draws_) {

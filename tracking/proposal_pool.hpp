@@ -26,7 +26,6 @@ class ProposalPool {
   /// Draw `index` after a `start` that the caller takes at random; wraps around.
   const Draw& at(std::size_t start, std::size_t index) const { return draws_[(start + index) & mask_]; }
   std::size_t size() const { return draws_.size(); }
-  double freedom() const { return freedom_; }
 
   /// ln of the density of the first `dimensions`, 4 to 6, components of a draw.
   static double log_density(const Draw& draw, int dimensions) {
@@ -34,7 +33,6 @@ class ProposalPool {
   }
 
  private:
-  double freedom_;
   std::size_t mask_;
   std::vector<Draw> draws_;
 };

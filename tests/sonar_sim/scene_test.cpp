@@ -91,6 +91,8 @@ TEST(Scene, ErrorsNamePlaceAndWhatIsAccepted) {
             std::string::npos);
   EXPECT_NE(error_of("duration: 5\nsonar: {latency: 1}\n").find("latency: is of real sensors"),
             std::string::npos);
+  EXPECT_NE(error_of("duration: 5\nsonar: {resolution: 1}\n").find("resolution: is of real sensors"),
+            std::string::npos);
   EXPECT_NE(error_of("duration: 5\nsonar: {miss_probability: 0}\n").find("false_alarm_probability"),
             std::string::npos);
   EXPECT_NE(error_of("duration: 5\n" + sonar +

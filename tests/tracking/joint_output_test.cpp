@@ -46,22 +46,37 @@ TEST(JointOutput, WithMuchUnseenADoubtfulTrackIsReportedAgain) {
   EXPECT_EQ(output_of(output, 0.0, state)[0].status, core::TrackStatus::tentative);
 }
 
-// 2.1 nats a scan at (.3, .3) (joint_unseen_test), 1.25 at (.5, .5): 0.6 are too little where a scan tells
-// less.
+// 2.1 nats a scan at (.3, .3) (joint_unseen_test), 1.25 at (.5, .5), where 1.5 - 0.7 x 1.25 = 0.63 are needed.
 TEST(JointOutput, WhereAScanTellsLittleAFirstReportNeedsMore) {
   JointReportParams params;
   params.first_log_odds = 1.5;
   params.first_overshoot = 0.7;
+  params.first_least_log_odds = 0.4;
   for (const double p : {0.3, 0.5}) {
     core::SonarParams sonar = clear_sonar();
     sonar.miss_probability = sonar.false_alarm_probability = p;
     JointState state({}, sonar, 1);
     state.likelihood.push(scan_of(0, {}));
-    add_track(state, kLine, 0.3);
+    add_track(state, kLine, 0.5);
     JointOutput output(params, state.random);
     EXPECT_EQ(output_of(output, 6.0, state)[0].status,
               p < 0.4 ? core::TrackStatus::confirmed : core::TrackStatus::tentative);
   }
+}
+
+// At (.1, .1) a scan tells 4 nats: the least that is ever asked for holds.
+TEST(JointOutput, AFirstReportNeverNeedsLessThanTheLeast) {
+  core::SonarParams sonar = clear_sonar();
+  sonar.miss_probability = sonar.false_alarm_probability = 0.1;
+  JointState state({}, sonar, 1);
+  state.likelihood.push(scan_of(0, {}));
+  JointReportParams params;
+  params.first_least_log_odds = 0.4;
+  JointTrack& track = add_track(state, kLine, 0.3);
+  JointOutput output(params, state.random);
+  EXPECT_EQ(output_of(output, 6.0, state)[0].status, core::TrackStatus::tentative);
+  track.log_odds = 0.5;
+  EXPECT_EQ(output_of(output, 6.0, state)[0].status, core::TrackStatus::confirmed);
 }
 
 TEST(JointOutput, OutOfViewAConfirmedTrackCoasts) {

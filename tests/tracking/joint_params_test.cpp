@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -47,6 +48,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"same_target", [](auto& p) { p.birth.same_target = 0.0; }},
         BadValue{"manoeuvre prior", [](auto& p) { p.manoeuvre.prior = 0.0; }},
         BadValue{"in_view_share", [](auto& p) { p.life.in_view_share = 0.0; }},
+        BadValue{"straighten_nats", [](auto& p) { p.manoeuvre.straighten_nats = -1.0; }},
+        BadValue{"turn_nats", [](auto& p) { p.manoeuvre.turn_nats = -1.0; }},
+        BadValue{"sudden_scans", [](auto& p) { p.manoeuvre.sudden_scans = 0; }},
+        BadValue{"return_s", [](auto& p) { p.life.return_s = -1.0; }},
+        BadValue{"first_log_odds", [](auto& p) { p.report.first_log_odds = NAN; }},
+        BadValue{"first_least_log_odds", [](auto& p) { p.report.first_least_log_odds = -1.0; }},
         BadValue{"first_overshoot", [](auto& p) { p.report.first_overshoot = -1.0; }},
         BadValue{"published_tentative", [](auto& p) { p.report.published_tentative = 1.5; }},
         BadValue{"heading steps must be >= 1, got 0", [](auto& p) { p.heading.steps = 0; }},
