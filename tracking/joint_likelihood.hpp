@@ -24,8 +24,8 @@ struct Claim {
 struct AgeSpan {
   int newest = 0;
   int oldest = 0;
-  bool births =
-      false;  ///< A trajectory may begin at any scan of the span; else it is there from the oldest on.
+  /// A trajectory may begin at any scan of the span; else it is there from the oldest on.
+  bool births = false;
 };
 
 /// The likelihood of trajectories over the latest scans, with what other tracks explain left out: in a beam

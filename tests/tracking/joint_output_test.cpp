@@ -46,7 +46,8 @@ TEST(JointOutput, WithMuchUnseenADoubtfulTrackIsReportedAgain) {
   EXPECT_EQ(output_of(output, 0.0, state)[0].status, core::TrackStatus::tentative);
 }
 
-// 2.1 nats a scan at (.3, .3) (joint_unseen_test), 1.25 at (.5, .5), where 1.5 - 0.7 x 1.25 = 0.63 are needed.
+// 2.1 nats a scan at (.3, .3) (joint_unseen_test), 1.25 at (.5, .5), where 1.5 - 0.7 x 1.25 = 0.63 are
+// needed.
 TEST(JointOutput, WhereAScanTellsLittleAFirstReportNeedsMore) {
   JointReportParams params;
   params.first_log_odds = 1.5;
