@@ -44,7 +44,8 @@ inline constexpr double seconds(std::int64_t utime) {
 }
 std::int64_t microseconds(double seconds);
 
-/// Largest |utime| that is taken from outside [us], 285 years: exact as a double, and differences cannot overflow.
+/// Largest |utime| that is taken from outside [us], 285 years: exact as a double, and differences cannot
+/// overflow.
 inline constexpr std::int64_t kMaxUtime = std::int64_t{1} << 53;
 
 }  // namespace lookout::core

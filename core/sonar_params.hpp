@@ -26,8 +26,8 @@ struct SonarParams {
   double resolution = 0.0;
   double max_speed = 3.0;    ///< Fastest target over ground [m/s], > 0.
   double scan_period = 0.5;  ///< Nominal time between scans [s], > 0.
-  /// Age of the returns at the time of their scan [s], in [0, 60]: of a sensor that stamps a scan when it hands it
-  /// over. The pose of the scan is that of its time: own motion is the driver's to make up for.
+  /// Age of the returns at the time of their scan [s], in [0, 60]: of a sensor that stamps a scan when it
+  /// hands it over. The pose of the scan is that of its time: own motion is the driver's to make up for.
   double latency = 0.0;
   std::optional<double> miss_probability;         ///< P_M of a target in view, in [0, 1]; absent: estimated.
   std::optional<double> false_alarm_probability;  ///< P_F of an empty beam, in [0, 1]; absent: estimated.

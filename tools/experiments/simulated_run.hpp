@@ -33,8 +33,8 @@ struct SceneVariant {
 };
 sonar_sim::Scene load_variant(const std::string& scene_file, const SceneVariant& variant);
 
-/// The same scene begun `seconds` earlier (later, where negative): what it shows at its end stays as it was, so
-/// that windows of any length end alike.
+/// The same scene begun `seconds` earlier (later, where negative): what it shows at its end stays as it was,
+/// so that windows of any length end alike.
 /// @throws std::invalid_argument for a scene with several platforms, or in which something does not move
 ///   straight.
 void begin_earlier(double seconds, sonar_sim::Scene& scene);
