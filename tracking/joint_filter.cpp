@@ -11,8 +11,8 @@ namespace lookout::tracking {
 JointFilter::JointFilter(const JointTrackerParams& params)
     : cloud_(params.cloud),
       life_(params.life),
-      least_log_odds_(params.manoeuvre.least_log_odds),
-      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.manoeuvre.least_scans},
+      judged_log_odds_(std::min(params.manoeuvre.life_log_odds, params.manoeuvre.least_log_odds)),
+      memory_{params.cloud.memory_s, params.manoeuvre.memory_s, params.manoeuvre.least_scans},
       manoeuvre_(params.manoeuvre, params.cloud.trajectories),
       observer_(params.observer) {}
 
@@ -83,7 +83,7 @@ void JointFilter::refresh(JointTrack& track, JointState& state) {
   task.self = state.slot_of(track);
   task.samples = cloud_.trajectories;
   task.rounds = cloud_.refresh_rounds;
-  if (track.cloud.motion != Motion::line)
+  if (track.cloud.motion != Motion::line && !task.ages.births)
     task.anchor = manoeuvre_.anchor(task.guess, state.scans().seconds_at_age(task.ages.oldest));
   if (track.log_odds >= life_.settled_log_odds && track.cloud.motion != Motion::bend) {
     state.sampler.move(task, state.likelihood, state.random, track.cloud);
@@ -95,46 +95,62 @@ void JointFilter::refresh(JointTrack& track, JointState& state) {
   if (effective <= std::min(track.cloud.effective_size(), cloud_.enough_effective)) return;
   std::swap(track.cloud, state.fresh);
   track.claims_are_fresh = false;
-  if (estimates_odds(track, task.ages, result, state))
-    track.log_odds = std::min(result.log_evidence + track.log_density, life_.settled_log_odds);
+  if (estimates_odds(track, task.ages, result, state)) estimate_odds(result.log_evidence, track);
 }
 
 // Odds that were picked as the best of many are too high; drawn again from the whole life they are not.
 // docs/tracker.md.
 bool JointFilter::estimates_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
                                  const JointState& state) const {
-  const bool whole_life =
-      track.remembers_birth && ages.oldest == state.scans().pushed() - 1 - track.first_scan;
+  const bool whole_life = ages.births && ages.oldest == state.scans().pushed() - 1 - track.first_scan;
   return whole_life && track.log_odds < life_.settled_log_odds &&
          result.effective_share > cloud_.trusted_share;
 }
 
 void JointFilter::judge_motion(JointTrack& track, JointState& state) {
-  if (track.highest_log_odds < least_log_odds_ || track.out_of_view) return;
+  if (track.highest_log_odds < judged_log_odds_ || track.out_of_view) return;
   const AgeSpan memory = memory_of(track, state.scans(), memory_);
   const auto judgement = manoeuvre_.judge({state.slot_of(track), track, memory}, state.likelihood,
                                           state.sampler, state.random, state.fresh);
   if (judgement.verdict == JointManoeuvre::Verdict::keep) return;
+  const Motion before = track.cloud.motion;
   std::swap(track.cloud, state.fresh);
   track.moments = track.cloud.moments();
   track.claims_are_fresh = false;
-  if (judgement.verdict != JointManoeuvre::Verdict::redraw) change_model(judgement, track, state);
+  // A turn is judged by its own predictions, once there are enough; the others stay under suspicion.
+  if (track.cloud.motion == Motion::turn) track.recent.clear();
+  if (judgement.verdict == JointManoeuvre::Verdict::rewrite) {
+    if (track.log_odds < life_.settled_log_odds) estimate_odds(judgement.life_evidence, track);
+  } else {
+    change_model(judgement, track, state);
+  }
+  if (track.cloud.motion != before) tell_change(judgement, track, state);
+}
+
+// The odds of a track by the evidence for its whole life.
+void JointFilter::estimate_odds(double life_evidence, JointTrack& track) const {
+  const double odds = life_evidence + track.log_density + manoeuvre_.log_share(track.cloud.motion);
+  track.log_odds = std::min(odds, life_.settled_log_odds);
 }
 
 void JointFilter::change_model(const JointManoeuvre::Judgement& judgement, JointTrack& track,
                                const JointState& state) const {
-  const bool straight = track.cloud.motion == Motion::line;
   track.first_scan = state.scans().pushed() - 1 - judgement.oldest;
   track.remembers_birth = false;
   // What the line lost by not bending was no evidence against the target.
-  if (!straight)
+  if (track.cloud.motion != Motion::line)
     track.log_odds =
         std::max(track.log_odds, std::min(track.log_odds + judgement.evidence, life_.settled_log_odds));
-  if (track.cloud.motion == Motion::turn) track.recent.clear();
-  state.decide(track, straight ? DecisionKind::straighten : DecisionKind::manoeuvre, judgement.evidence,
-               straight                             ? "a straight line explains the latest scans as well"
-               : track.cloud.motion == Motion::turn ? "a turn explains the latest scans better"
-                                                    : "a curve explains the latest scans better");
+}
+
+void JointFilter::tell_change(const JointManoeuvre::Judgement& judgement, const JointTrack& track,
+                              const JointState& state) const {
+  const Motion motion = track.cloud.motion;
+  state.decide(track, motion == Motion::line ? DecisionKind::straighten : DecisionKind::manoeuvre,
+               judgement.evidence,
+               motion == Motion::line   ? "a straight line explains the latest scans as well"
+               : motion == Motion::turn ? "a turn explains the latest scans better"
+                                        : "a curve explains the latest scans better");
 }
 
 }  // namespace lookout::tracking

@@ -27,12 +27,15 @@ class JointFilter {
   bool estimates_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
                       const JointState& state) const;
   void judge_motion(JointTrack& track, JointState& state);
+  void estimate_odds(double life_evidence, JointTrack& track) const;
   void change_model(const JointManoeuvre::Judgement& judgement, JointTrack& track,
                     const JointState& state) const;
+  void tell_change(const JointManoeuvre::Judgement& judgement, const JointTrack& track,
+                   const JointState& state) const;
 
   JointCloudParams cloud_;
   JointLifeParams life_;
-  double least_log_odds_;  ///< Of a track whose motion is judged.
+  double judged_log_odds_;  ///< Existence that a track must have reached for its motion to be judged.
   JointMemory memory_;
   JointManoeuvre manoeuvre_;
   JointObserver observer_;

@@ -66,14 +66,19 @@ JointManoeuvre::Judgement JointManoeuvre::judge(const Suspect& suspect, JointLik
   const Bench bench{likelihood, sampler, random, cloud};
   const int window = oldest_of_window(likelihood.scans());
   const Motion motion = suspect.track.cloud.motion;
-  if (motion == Motion::bend) return compare(suspect, window, bench);
   const bool young = suspect.memory.oldest <= params_.young_windows * window;
+  if (suspect.memory.births && young) {
+    const Judgement judgement = doubt_life(suspect, bench);
+    if (judgement.verdict != Verdict::keep || motion != Motion::line) return judgement;
+  }
+  if (suspect.track.highest_log_odds < params_.least_log_odds) return {};
+  if (motion == Motion::bend) return compare(suspect, window, bench);
   if (motion == Motion::turn && young) return compare(suspect, suspect.memory.oldest, bench);
   return doubt(suspect, bench);
 }
 
 int JointManoeuvre::oldest_of_window(const csht::ScanHistory& scans) const {
-  return oldest_of_bend({.bend_s = params_.window_s, .bend_scans = params_.least_scans}, scans);
+  return oldest_within(params_.window_s, params_.least_scans, scans);
 }
 
 // Whether the motion explains the latest scans so poorly that another is worth its computing.
@@ -81,6 +86,38 @@ bool JointManoeuvre::doubtful(const RecentEvidence& recent, int scans) const {
   const int few = std::min(scans, params_.sudden_scans);
   return recent.sum(scans) < params_.trigger_share * recent.expected(scans) ||
          recent.sum(few) < recent.expected(few) - params_.sudden_nats;
+}
+
+double JointManoeuvre::log_share(Motion motion) const {
+  return motion == Motion::line ? 0.0 : std::log(params_.curved_share);
+}
+
+// The evidence for another line and for the other motions over the whole life, each sampled anew from about
+// where the track is, against that for what it is. A line is judged when it fits poorly, a curve at every
+// scan.
+JointManoeuvre::Judgement JointManoeuvre::doubt_life(const Suspect& suspect, const Bench& bench) {
+  const RecentEvidence& recent = suspect.track.recent;
+  const int scans = std::min(recent.size(), 1 + oldest_of_window(bench.likelihood.scans()));
+  if (suspect.memory.oldest < params_.least_scans || scans < params_.sudden_scans) return {};
+  const Motion motion = suspect.track.cloud.motion;
+  if (motion == Motion::line && !doubtful(recent, scans)) return {};
+  SamplingTask same = task(suspect, suspect.memory, motion);
+  same.guess = suspect.track.moments;
+  const SamplingResult own = bench.sampler.sample(same, bench.likelihood, bench.random, other_);
+  const double present = own.log_evidence + log_share(motion);
+  Judgement judgement;
+  for (const Motion other : {Motion::line, Motion::bend, Motion::turn}) {
+    if (other == motion && other != Motion::line) continue;
+    const SamplingResult result =
+        bench.sampler.sample(task(suspect, suspect.memory, other), bench.likelihood, bench.random, other_);
+    const double gain = result.log_evidence + log_share(other) - present;
+    if (result.effective_share <= params_.trusted_share ||
+        gain <= std::max(params_.redraw_nats, judgement.evidence))
+      continue;
+    judgement = {Verdict::rewrite, gain, suspect.memory.oldest, result.log_evidence};
+    std::swap(other_, bench.cloud);
+  }
+  return judgement;
 }
 
 // A motion is judged by how well it predicted the window's scans one by one (were it the best of a young
@@ -91,13 +128,6 @@ JointManoeuvre::Judgement JointManoeuvre::doubt(const Suspect& suspect, const Be
   Judgement judgement;
   if (oldest < params_.least_scans || !doubtful(recent, oldest + 1)) return judgement;
   judgement.oldest = oldest;
-  const bool young = suspect.track.remembers_birth && recent.size() <= params_.young_windows * (oldest + 1);
-  const double gain = young ? gain_of_other_line(suspect, bench) : 0.0;
-  if (gain > params_.redraw_nats) {
-    judgement.evidence = gain;
-    judgement.verdict = Verdict::redraw;
-    return judgement;
-  }
   const double needed = recent.sum(oldest + 1) - std::log(params_.prior);
   double best =
       try_motion(Motion::bend, -std::numeric_limits<double>::infinity(), suspect, {0, oldest}, bench);
@@ -124,18 +154,6 @@ double JointManoeuvre::try_motion(Motion motion, double best, const Suspect& sus
   if (evidence <= best) return best;
   std::swap(other_, bench.cloud);
   return evidence;
-}
-
-// By how much the best line about the present one explains the whole life better; `bench.cloud` holds it.
-double JointManoeuvre::gain_of_other_line(const Suspect& suspect, const Bench& bench) const {
-  const auto sample = [&](const SamplingTask& task) {
-    return bench.sampler.sample(task, bench.likelihood, bench.random, bench.cloud);
-  };
-  SamplingTask present = task(suspect, suspect.memory, Motion::line);
-  present.guess = suspect.track.moments;
-  const SamplingResult own = sample(present);
-  const SamplingResult other = sample(task(suspect, suspect.memory, Motion::line));
-  return other.effective_share > params_.trusted_share ? other.log_evidence - own.log_evidence : 0.0;
 }
 
 // All motions from the same vague start: a line or a turn wins by needing less.

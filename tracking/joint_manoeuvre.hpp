@@ -9,18 +9,25 @@
 namespace lookout::tracking {
 
 /// Three motions a track: a straight line and a turn at a constant rate, which are remembered for as long as
-/// they fit, and a constant acceleration over the last seconds alone. Each is held against the others on the
-/// latest scans. A young track that fits poorly may also be on the wrong line: that is tried first.
+/// they fit, and a constant acceleration, which is forgotten sooner. A track that remembers its birth may be
+/// on the wrong line, or its target may have moved in another way from the first on: that is tried over its
+/// whole life. Else, and of a track that has lived, each motion is held against the others on the latest
+/// scans.
 class JointManoeuvre {
  public:
   JointManoeuvre(const JointManoeuvreParams& params, int trajectories);
 
-  enum class Verdict { keep, change, redraw };
+  /// `change`: the motion is another one since some scan. `rewrite`: the whole life was another one.
+  enum class Verdict { keep, change, rewrite };
   struct Judgement {
     Verdict verdict = Verdict::keep;
-    double evidence = 0.0;  ///< In favour of the change [nats].
-    int oldest = 0;         ///< Age from which the new motion holds.
+    double evidence = 0.0;       ///< In favour of the change [nats].
+    int oldest = 0;              ///< Age from which a changed motion holds.
+    double life_evidence = 0.0;  ///< For a whole life rewritten, its motion's share not counted [nats].
   };
+
+  /// ln of the share of targets that move so from their first scan on, of a line's.
+  double log_share(Motion motion) const;
 
   /// Where a trajectory was `seconds` (<= 0) from now: about where the track's mean was, give or
   /// take what a manoeuvre may have led it off.
@@ -45,11 +52,11 @@ class JointManoeuvre {
     core::Random& random;
     JointCloud& cloud;  ///< Of the verdict.
   };
+  Judgement doubt_life(const Suspect& suspect, const Bench& bench);
   Judgement doubt(const Suspect& suspect, const Bench& bench);
   Judgement compare(const Suspect& suspect, int oldest, const Bench& bench);
   double try_motion(Motion motion, double best, const Suspect& suspect, const AgeSpan& ages,
                     const Bench& bench);
-  double gain_of_other_line(const Suspect& suspect, const Bench& bench) const;
   int oldest_of_window(const csht::ScanHistory& scans) const;
   bool doubtful(const RecentEvidence& recent, int scans) const;
   SamplingTask task(const Suspect& suspect, const AgeSpan& ages, Motion motion) const;

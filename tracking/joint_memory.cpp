@@ -10,19 +10,18 @@ int oldest_within(double seconds, const csht::ScanHistory& scans) {
   return oldest;
 }
 
-int oldest_of_bend(const JointMemory& memory, const csht::ScanHistory& scans) {
-  return std::max(oldest_within(memory.bend_s, scans), std::min(memory.bend_scans, scans.size() - 1));
+int oldest_within(double seconds, int least_scans, const csht::ScanHistory& scans) {
+  return std::max(oldest_within(seconds, scans), std::min(least_scans, scans.size() - 1));
 }
 
 AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const JointMemory& memory) {
-  AgeSpan ages;
-  if (track.cloud.motion == Motion::bend) {
-    ages.oldest = oldest_of_bend(memory, scans);
-    return ages;
-  }
+  const bool bend = track.cloud.motion == Motion::bend;
+  const int most =
+      bend ? oldest_within(memory.bend_s, memory.bend_scans, scans) : oldest_within(memory.line_s, scans);
   const std::int64_t since_first = scans.pushed() - 1 - track.first_scan;
-  ages.oldest = static_cast<int>(std::min<std::int64_t>(since_first, oldest_within(memory.line_s, scans)));
-  ages.births = track.remembers_birth;
+  AgeSpan ages;
+  ages.oldest = static_cast<int>(std::min<std::int64_t>(since_first, most));
+  ages.births = track.remembers_birth && (!bend || since_first <= most);
   return ages;
 }
 

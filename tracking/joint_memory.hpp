@@ -9,17 +9,18 @@ namespace lookout::tracking {
 /// How far back a track's likelihood reaches.
 struct JointMemory {
   double line_s = 60.0;  ///< Of a line and of a turn [s].
-  double bend_s = 8.0;   ///< Of a bend [s], but
+  double bend_s = 16.0;  ///< Of a bend [s], but
   int bend_scans = 7;    ///< at least so many scans before the newest, however slowly they come.
 };
 
 /// Age of the oldest scan that is at most `seconds` older than the newest; 0 at least.
 int oldest_within(double seconds, const csht::ScanHistory& scans);
 
-/// The same of a bend's memory.
-int oldest_of_bend(const JointMemory& memory, const csht::ScanHistory& scans);
+/// The same, but of so many scans before the newest at least, if there are as many.
+int oldest_within(double seconds, int least_scans, const csht::ScanHistory& scans);
 
-/// The scans that a track remembers: since its first, as far as its motion model holds.
+/// The scans that a track remembers: since its first, as far as its motion model holds; with births while
+/// its birth is among them.
 AgeSpan memory_of(const JointTrack& track, const csht::ScanHistory& scans, const JointMemory& memory);
 
 }  // namespace lookout::tracking

@@ -23,7 +23,7 @@ JointOnset::JointOnset(const JointTrackerParams& params, const JointPrior& prior
     : params_(params.birth),
       life_(params.life),
       cloud_(params.cloud),
-      memory_{params.cloud.memory_s, params.manoeuvre.window_s, params.manoeuvre.least_scans},
+      memory_{params.cloud.memory_s, params.manoeuvre.memory_s, params.manoeuvre.least_scans},
       prior_(prior),
       birth_(params.birth, prior),
       births_(std::move(births)),

@@ -71,7 +71,9 @@ void validate(const JointBirthParams& p) {
 void validate(const JointManoeuvreParams& p) {
   require(p.window_s > 0.0 && p.window_s <= 30.0, "manoeuvre window_s must be in (0, 30]", p.window_s);
   require(p.prior > 0.0 && p.prior < 1.0, "manoeuvre prior must be in (0, 1)", p.prior);
+  require(p.curved_share > 0.0 && p.curved_share < 1.0, "curved_share must be in (0, 1)", p.curved_share);
   require(p.least_scans >= 1, "least_scans must be >= 1", p.least_scans);
+  require(p.memory_s >= p.window_s, "manoeuvre memory_s must be >= window_s", p.memory_s);
   require(p.rounds >= 1, "manoeuvre rounds must be >= 1", p.rounds);
   require(p.position_slack > 0.0, "position_slack must be > 0", p.position_slack);
   require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);

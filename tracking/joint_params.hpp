@@ -68,14 +68,17 @@ struct JointBirthParams {
 
 /// Targets that turn or change speed.
 struct JointManoeuvreParams {
-  double window_s = 8.0;  ///< Stretch that a curved trajectory holds for [s], in (0, 30]. At 6 deg/s and
-                          ///< 3 m/s a constant acceleration is then off by at most 0.4 m.
-  double prior = 0.001;   ///< That a window begins a manoeuvre, in (0, 1).
+  double window_s = 8.0;       ///< Stretch that a curved trajectory holds for [s], in (0, 30]. At 6 deg/s and
+                               ///< 3 m/s a constant acceleration is then off by at most 0.4 m.
+  double prior = 0.001;        ///< That a window begins a manoeuvre, in (0, 1).
+  double curved_share = 0.05;  ///< Targets that turn from their first scan on, and targets that accelerate,
+                               ///< per one that goes straight, in (0, 1).
   double trigger_share = 0.75;  ///< A line is doubted when it brings less than this share of its evidence.
   int sudden_scans = 4;         ///< ... or when over this many scans, >= 1,
   double sudden_nats = 6.0;     ///< it falls this much short of what was to be expected, > 0.
-  int least_scans = 7;  ///< A track younger than this is not judged, >= 1; a curve spans as many at least.
-  int rounds = 10;      ///< Of adaptive importance sampling, >= 1: the guess may be some metres off.
+  int least_scans = 7;     ///< A track younger than this is not judged, >= 1; a curve spans as many at least.
+  double memory_s = 16.0;  ///< How long an acceleration is remembered [s], >= window_s.
+  int rounds = 10;         ///< Of adaptive importance sampling, >= 1: the guess may be some metres off.
   double position_slack = 2.0;       ///< How far a manoeuvre may have led off the line [m], > 0,
   double velocity_slack = 0.5;       ///< [m/s], > 0, and
   double acceleration_slack = 0.15;  ///< [m/s^2], > 0, one standard deviation each.
@@ -83,12 +86,13 @@ struct JointManoeuvreParams {
   double straighten_nats = 2.5;      ///< Evidence for the line that ends a bend or a young turn, >= 0, and
   double bend_nats = 1.0;            ///< for the bend that ends a young turn, >= 0.
   double turn_nats = 1.0;            ///< By which a turn must beat a bend where a line ends, >= 0.
-  int young_windows = 2;        ///< A line or a turn of at most so many windows may be a wrong one, >= 0.
-  double redraw_nats = 1.0;     ///< Evidence for another line that is worth the change, > 0.
+  int young_windows = 2;     ///< A whole life or a turn of at most so many windows may be a wrong one, >= 0.
+  double redraw_nats = 1.0;  ///< Evidence for another whole life that is worth the change, > 0.
   double hopeless_nats = 4.0;   ///< A bend that falls this much short is not worth a look at the rest, >= 0.
   double rough_nats = 8.0;      ///< Evidence that is believed of a cloud below `trusted_share`.
   double trusted_share = 0.08;  ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
-  double least_log_odds = 2.0;  ///< Existence that a track must have reached to be judged.
+  double life_log_odds = -2.0;  ///< Existence that a track must have reached for its life to be judged, and
+  double least_log_odds = 2.0;  ///< for its latest scans to be.
 };
 
 /// When tracks begin, are confirmed and end.

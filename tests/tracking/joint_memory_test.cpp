@@ -29,18 +29,30 @@ TEST(MemoryOf, ReachesToTheFirstScanOrTheMemorysEnd) {
   EXPECT_EQ(memory_of(track, scans, {3.0, 8.0}).oldest, 6);
 }
 
-TEST(OldestOfBend, SpansItsSecondsButNeverTooFewScans) {
+TEST(OldestWithin, IsNeverOfTooFewScans) {
   const csht::ScanHistory scans = thirty_scans();
-  EXPECT_EQ(oldest_of_bend({.bend_s = 8.0, .bend_scans = 7}, scans), 16);
-  EXPECT_EQ(oldest_of_bend({.bend_s = 2.0, .bend_scans = 7}, scans), 7);    // Four scans tell no curve.
-  EXPECT_EQ(oldest_of_bend({.bend_s = 2.0, .bend_scans = 99}, scans), 29);  // As far as there are any.
+  EXPECT_EQ(oldest_within(8.0, 7, scans), 16);
+  EXPECT_EQ(oldest_within(2.0, 7, scans), 7);    // Four scans tell no curve.
+  EXPECT_EQ(oldest_within(2.0, 99, scans), 29);  // As far as there are any.
 }
 
-TEST(MemoryOf, ABendIsShort) {
+TEST(MemoryOf, ABendIsForgottenSooner) {
   const csht::ScanHistory scans = thirty_scans();
   JointTrack track;
   track.cloud.motion = Motion::bend;
+  track.first_scan = 5;  // 24 before the newest.
   EXPECT_EQ(memory_of(track, scans, {60.0, 8.0}).oldest, 16);
+  EXPECT_EQ(memory_of(track, scans, {60.0, 40.0}).oldest, 24);
+}
+
+TEST(MemoryOf, ABendThatForgotItsBirthBeginsNowhere) {
+  const csht::ScanHistory scans = thirty_scans();
+  JointTrack track;
+  track.first_scan = 5;
+  EXPECT_TRUE(memory_of(track, scans, {60.0, 8.0}).births);
+  track.cloud.motion = Motion::bend;
+  EXPECT_TRUE(memory_of(track, scans, {60.0, 12.0}).births);
+  EXPECT_FALSE(memory_of(track, scans, {60.0, 8.0}).births);
 }
 
 }  // namespace
