@@ -11,7 +11,6 @@ namespace lookout::tracking {
 JointFilter::JointFilter(const JointTrackerParams& params)
     : cloud_(params.cloud),
       life_(params.life),
-      judged_log_odds_(std::min(params.manoeuvre.life_log_odds, params.manoeuvre.least_log_odds)),
       memory_{params.cloud.memory_s, params.manoeuvre.memory_s, params.manoeuvre.least_scans},
       manoeuvre_(params.manoeuvre, params.cloud.trajectories),
       observer_(params.observer) {}
@@ -108,7 +107,7 @@ bool JointFilter::estimates_odds(const JointTrack& track, const AgeSpan& ages, c
 }
 
 void JointFilter::judge_motion(JointTrack& track, JointState& state) {
-  if (track.highest_log_odds < judged_log_odds_ || track.out_of_view) return;
+  if (track.out_of_view) return;
   const AgeSpan memory = memory_of(track, state.scans(), memory_);
   const auto judgement = manoeuvre_.judge({state.slot_of(track), track, memory}, state.likelihood,
                                           state.sampler, state.random, state.fresh);
@@ -119,18 +118,17 @@ void JointFilter::judge_motion(JointTrack& track, JointState& state) {
   track.claims_are_fresh = false;
   // A turn is judged by its own predictions, once there are enough; the others stay under suspicion.
   if (track.cloud.motion == Motion::turn) track.recent.clear();
-  if (judgement.verdict == JointManoeuvre::Verdict::rewrite) {
-    if (track.log_odds < life_.settled_log_odds) estimate_odds(judgement.life_evidence, track);
-  } else {
+  if (judgement.verdict == JointManoeuvre::Verdict::rewrite)
+    estimate_odds(judgement.life_evidence, track);
+  else
     change_model(judgement, track, state);
-  }
   if (track.cloud.motion != before) tell_change(judgement, track, state);
 }
 
-// The odds of a track by the evidence for its whole life.
+// The odds of a track by the evidence for its whole life; those of a settled one are left.
 void JointFilter::estimate_odds(double life_evidence, JointTrack& track) const {
   const double odds = life_evidence + track.log_density + manoeuvre_.log_share(track.cloud.motion);
-  track.log_odds = std::min(odds, life_.settled_log_odds);
+  if (track.log_odds < life_.settled_log_odds) track.log_odds = std::min(odds, life_.settled_log_odds);
 }
 
 void JointFilter::change_model(const JointManoeuvre::Judgement& judgement, JointTrack& track,

@@ -35,7 +35,6 @@ class JointFilter {
 
   JointCloudParams cloud_;
   JointLifeParams life_;
-  double judged_log_odds_;  ///< Existence that a track must have reached for its motion to be judged.
   JointMemory memory_;
   JointManoeuvre manoeuvre_;
   JointObserver observer_;

@@ -1,6 +1,7 @@
 #include "tracking/joint_manoeuvre.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -92,32 +93,33 @@ double JointManoeuvre::log_share(Motion motion) const {
   return motion == Motion::line ? 0.0 : std::log(params_.curved_share);
 }
 
-// The evidence for another line and for the other motions over the whole life, each sampled anew from about
-// where the track is, against that for what it is. A line is judged when it fits poorly, a curve at every
-// scan.
+// Of a young track one motion a scan is tried, sampled anew over the whole life from about where the track
+// is: trying all at once would make some scans several times as dear as the rest. A line is judged when it
+// fits poorly, and may give way to another line; a curve at every scan.
 JointManoeuvre::Judgement JointManoeuvre::doubt_life(const Suspect& suspect, const Bench& bench) {
-  const RecentEvidence& recent = suspect.track.recent;
-  const int scans = std::min(recent.size(), 1 + oldest_of_window(bench.likelihood.scans()));
+  const JointTrack& track = suspect.track;
+  const csht::ScanHistory& history = bench.likelihood.scans();
+  const int scans = std::min(track.recent.size(), 1 + oldest_of_window(history));
+  if (track.log_odds < params_.life_log_odds) return {};
   if (suspect.memory.oldest < params_.least_scans || scans < params_.sudden_scans) return {};
-  const Motion motion = suspect.track.cloud.motion;
-  if (motion == Motion::line && !doubtful(recent, scans)) return {};
-  SamplingTask same = task(suspect, suspect.memory, motion);
-  same.guess = suspect.track.moments;
-  const SamplingResult own = bench.sampler.sample(same, bench.likelihood, bench.random, other_);
-  const double present = own.log_evidence + log_share(motion);
-  Judgement judgement;
-  for (const Motion other : {Motion::line, Motion::bend, Motion::turn}) {
-    if (other == motion && other != Motion::line) continue;
-    const SamplingResult result =
-        bench.sampler.sample(task(suspect, suspect.memory, other), bench.likelihood, bench.random, other_);
-    const double gain = result.log_evidence + log_share(other) - present;
-    if (result.effective_share <= params_.trusted_share ||
-        gain <= std::max(params_.redraw_nats, judgement.evidence))
-      continue;
-    judgement = {Verdict::rewrite, gain, suspect.memory.oldest, result.log_evidence};
-    std::swap(other_, bench.cloud);
-  }
-  return judgement;
+  const Motion present = track.cloud.motion, other = motion_to_try(suspect, history);
+  if (present == Motion::line ? !doubtful(track.recent, scans) : present == other) return {};
+  // Both by what the other tracks claim now.
+  SamplingTask same = task(suspect, suspect.memory, present);
+  same.guess = track.moments;
+  const SamplingResult own = bench.sampler.sample(same, bench.likelihood, bench.random, bench.cloud);
+  const SamplingResult result =
+      bench.sampler.sample(task(suspect, suspect.memory, other), bench.likelihood, bench.random, bench.cloud);
+  const double gain = result.log_evidence + log_share(other) - own.log_evidence - log_share(present);
+  if (result.effective_share <= params_.trusted_share || gain <= params_.redraw_nats) return {};
+  return {Verdict::rewrite, gain, suspect.memory.oldest, result.log_evidence};
+}
+
+// Every motion in its turn, each track at another; accelerations, which take any shape for a while, twice.
+Motion JointManoeuvre::motion_to_try(const Suspect& suspect, const csht::ScanHistory& scans) const {
+  constexpr std::array order{Motion::bend, Motion::line, Motion::bend, Motion::turn};
+  const auto turn = scans.pushed() + suspect.slot;
+  return order[static_cast<std::size_t>(turn) % order.size()];
 }
 
 // A motion is judged by how well it predicted the window's scans one by one (were it the best of a young

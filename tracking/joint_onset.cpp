@@ -97,8 +97,11 @@ void JointOnset::begin_track(const BirthSeed& seed, JointState& state) {
   if (track == nullptr) return;
   const csht::ScanHistory& scans = state.scans();
   std::swap(track->cloud, state.fresh);
-  track->begin({std::min(log_odds, life_.settled_log_odds), log_density_, scans.pushed() - 1 - window_.oldest,
-                scans.at_age(seed.start_age).utime, state.now()});
+  track->begin({.log_odds = std::min(log_odds, life_.settled_log_odds),
+                .log_density = log_density_,
+                .first_scan = scans.pushed() - 1 - window_.oldest,
+                .first_utime = scans.at_age(seed.start_age).utime,
+                .utime = state.now()});
   observer_.claim_memory(state.slot_of(*track), *track, memory_of(*track, scans, memory_), state.likelihood);
   state.decide(*track, DecisionKind::begin, track->log_odds, "echoes that no track explains");
 }

@@ -16,7 +16,7 @@ struct JointCloudParams {
   int refresh_rounds = 3;     ///< Most rounds of adaptive importance sampling a refresh, >= 1.
   double proposal_scale = 1.1;     ///< Standard deviations of the proposal over those of the cloud, >= 1.
   double tail_freedom = 6.0;       ///< Degrees of freedom of the proposal's t distribution, > 2.
-  int moves = 8;                   ///< Steps of a random walk after resampling, >= 1.
+  int moves = 4;                   ///< Steps of a random walk after resampling, >= 1.
   double move_scale = 0.6;         ///< Their standard deviations over those of the cloud, > 0.
   double enough_effective = 50.0;  ///< Trajectories that carry a cloud that is as good as it gets, > 0.
   double trusted_share = 0.08;     ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
@@ -91,8 +91,8 @@ struct JointManoeuvreParams {
   double hopeless_nats = 4.0;   ///< A bend that falls this much short is not worth a look at the rest, >= 0.
   double rough_nats = 8.0;      ///< Evidence that is believed of a cloud below `trusted_share`.
   double trusted_share = 0.08;  ///< Effective share of a cloud whose evidence is trusted, in (0, 1).
-  double life_log_odds = -2.0;  ///< Existence that a track must have reached for its life to be judged, and
-  double least_log_odds = 2.0;  ///< for its latest scans to be.
+  double life_log_odds = -3.0;  ///< Existence that a track must have for its life to be judged, and
+  double least_log_odds = 2.0;  ///< must have reached for its latest scans to be.
 };
 
 /// When tracks begin, are confirmed and end.
