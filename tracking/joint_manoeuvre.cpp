@@ -1,7 +1,6 @@
 #include "tracking/joint_manoeuvre.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -68,10 +67,7 @@ JointManoeuvre::Judgement JointManoeuvre::judge(const Suspect& suspect, JointLik
   const int window = oldest_of_window(likelihood.scans());
   const Motion motion = suspect.track.cloud.motion;
   const bool young = suspect.memory.oldest <= params_.young_windows * window;
-  if (suspect.memory.births && young) {
-    const Judgement judgement = doubt_life(suspect, bench);
-    if (judgement.verdict != Verdict::keep || motion != Motion::line) return judgement;
-  }
+  if (suspect.memory.births && young) return doubt_life(suspect, bench);
   if (suspect.track.highest_log_odds < params_.least_log_odds) return {};
   if (motion == Motion::bend) return compare(suspect, window, bench);
   if (motion == Motion::turn && young) return compare(suspect, suspect.memory.oldest, bench);
@@ -93,33 +89,39 @@ double JointManoeuvre::log_share(Motion motion) const {
   return motion == Motion::line ? 0.0 : std::log(params_.curved_share);
 }
 
-// Of a young track one motion a scan is tried, sampled anew over the whole life from about where the track
-// is: trying all at once would make some scans several times as dear as the rest. A line is judged when it
-// fits poorly, and may give way to another line; a curve at every scan.
+// Other motions over the whole life of a young track, each sampled anew from about where the track is. A line
+// is judged when it fits poorly, and may give way to another line; a curve at every scan.
 JointManoeuvre::Judgement JointManoeuvre::doubt_life(const Suspect& suspect, const Bench& bench) {
   const JointTrack& track = suspect.track;
   const csht::ScanHistory& history = bench.likelihood.scans();
   const int scans = std::min(track.recent.size(), 1 + oldest_of_window(history));
   if (track.log_odds < params_.life_log_odds) return {};
   if (suspect.memory.oldest < params_.least_scans || scans < params_.sudden_scans) return {};
-  const Motion present = track.cloud.motion, other = motion_to_try(suspect, history);
-  if (present == Motion::line ? !doubtful(track.recent, scans) : present == other) return {};
-  // Both by what the other tracks claim now.
+  const Motion present = track.cloud.motion;
+  if (present == Motion::line && !doubtful(track.recent, scans)) return {};
   SamplingTask same = task(suspect, suspect.memory, present);
   same.guess = track.moments;
-  const SamplingResult own = bench.sampler.sample(same, bench.likelihood, bench.random, bench.cloud);
-  const SamplingResult result =
-      bench.sampler.sample(task(suspect, suspect.memory, other), bench.likelihood, bench.random, bench.cloud);
-  const double gain = result.log_evidence + log_share(other) - own.log_evidence - log_share(present);
-  if (result.effective_share <= params_.trusted_share || gain <= params_.redraw_nats) return {};
-  return {Verdict::rewrite, gain, suspect.memory.oldest, result.log_evidence};
+  same.rounds = params_.present_rounds;
+  const SamplingResult own = bench.sampler.sample(same, bench.likelihood, bench.random, other_);
+  Judgement best{.evidence = params_.redraw_nats};
+  for (const Motion motion : motions_to_try(suspect, history)) {
+    if (motion == present && motion != Motion::line) continue;
+    const SamplingResult result =
+        bench.sampler.sample(task(suspect, suspect.memory, motion), bench.likelihood, bench.random, other_);
+    const double gain = result.log_evidence + log_share(motion) - own.log_evidence - log_share(present);
+    if (result.effective_share <= params_.trusted_share || gain <= best.evidence) continue;
+    best = {Verdict::rewrite, gain, suspect.memory.oldest, result.log_evidence};
+    std::swap(other_, bench.cloud);
+  }
+  return best;
 }
 
-// Every motion in its turn, each track at another; accelerations, which take any shape for a while, twice.
-Motion JointManoeuvre::motion_to_try(const Suspect& suspect, const csht::ScanHistory& scans) const {
-  constexpr std::array order{Motion::bend, Motion::line, Motion::bend, Motion::turn};
-  const auto turn = scans.pushed() + suspect.slot;
-  return order[static_cast<std::size_t>(turn) % order.size()];
+// An acceleration, which takes any shape for a while, and by turns a line or a turn: all at once would make
+// some scans several times as dear as the rest.
+std::array<Motion, 2> JointManoeuvre::motions_to_try(const Suspect& suspect,
+                                                     const csht::ScanHistory& scans) const {
+  const bool even = (scans.pushed() + suspect.slot) % 2 == 0;
+  return {even ? Motion::line : Motion::turn, Motion::bend};
 }
 
 // A motion is judged by how well it predicted the window's scans one by one (were it the best of a young

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/random.hpp"
 #include "tracking/joint_likelihood.hpp"
 #include "tracking/joint_params.hpp"
@@ -57,7 +59,7 @@ class JointManoeuvre {
   Judgement compare(const Suspect& suspect, int oldest, const Bench& bench);
   double try_motion(Motion motion, double best, const Suspect& suspect, const AgeSpan& ages,
                     const Bench& bench);
-  Motion motion_to_try(const Suspect& suspect, const csht::ScanHistory& scans) const;
+  std::array<Motion, 2> motions_to_try(const Suspect& suspect, const csht::ScanHistory& scans) const;
   int oldest_of_window(const csht::ScanHistory& scans) const;
   bool doubtful(const RecentEvidence& recent, int scans) const;
   SamplingTask task(const Suspect& suspect, const AgeSpan& ages, Motion motion) const;

@@ -75,6 +75,7 @@ void validate(const JointManoeuvreParams& p) {
   require(p.least_scans >= 1, "least_scans must be >= 1", p.least_scans);
   require(p.memory_s >= p.window_s, "manoeuvre memory_s must be >= window_s", p.memory_s);
   require(p.rounds >= 1, "manoeuvre rounds must be >= 1", p.rounds);
+  require(p.present_rounds >= 1, "present_rounds must be >= 1", p.present_rounds);
   require(p.position_slack > 0.0, "position_slack must be > 0", p.position_slack);
   require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);
   require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);

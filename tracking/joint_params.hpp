@@ -79,6 +79,7 @@ struct JointManoeuvreParams {
   int least_scans = 7;     ///< A track younger than this is not judged, >= 1; a curve spans as many at least.
   double memory_s = 16.0;  ///< How long an acceleration is remembered [s], >= window_s.
   int rounds = 10;         ///< Of adaptive importance sampling, >= 1: the guess may be some metres off.
+  int present_rounds = 3;  ///< ... of the motion that a young track has, >= 1: the guess is its own density.
   double position_slack = 2.0;       ///< How far a manoeuvre may have led off the line [m], > 0,
   double velocity_slack = 0.5;       ///< [m/s], > 0, and
   double acceleration_slack = 0.15;  ///< [m/s^2], > 0, one standard deviation each.
