@@ -11,10 +11,9 @@
 namespace lookout::tracking {
 
 /// Three motions a track: a straight line and a turn at a constant rate, which are remembered for as long as
-/// they fit, and a constant acceleration, which is forgotten sooner. A track that remembers its birth may be
-/// on the wrong line, or its target may have moved in another way from the first on: that is tried over its
-/// whole life. Else, and of a track that has lived, each motion is held against the others on the latest
-/// scans.
+/// they fit, and a constant acceleration, which is forgotten sooner. A young track may be on the wrong line,
+/// or its target may have moved in another way from the first on: that is tried over its whole life. Later
+/// each motion is held against the others on the latest scans.
 class JointManoeuvre {
  public:
   JointManoeuvre(const JointManoeuvreParams& params, int trajectories);

@@ -32,12 +32,14 @@ void validate(const JointPriorParams& p) {
   require(p.speed_edge > 0.0, "speed_edge must be > 0", p.speed_edge);
 }
 
-JointPrior::JointPrior(const JointPriorParams& params, double max_speed)
+JointPrior::JointPrior(const JointPriorParams& params, double max_speed, double scan_period)
     : params_(params),
       max_speed_(max_speed),
       velocity_sigma_(max_speed / params.speed_sigmas),
-      log_settling_(std::log((params.interior_rate + params.settling_rate) / params.expected_targets)),
-      log_settled_(std::log(params.interior_rate / params.expected_targets)) {}
+      settling_((params.interior_rate + params.settling_rate) * scan_period),
+      settled_(params.interior_rate * scan_period),
+      log_settling_(std::log(settling_ / params.expected_targets)),
+      log_settled_(std::log(settled_ / params.expected_targets)) {}
 
 double JointPrior::log_speed(double speed) const {
   const double square = speed / velocity_sigma_;
@@ -55,7 +57,7 @@ double JointPrior::log_standing(const csht::ScanTable& scan) const {
 }
 
 double JointPrior::appearing(double seconds_since_first) const {
-  return params_.interior_rate + (seconds_since_first < params_.settling_s ? params_.settling_rate : 0.0);
+  return seconds_since_first < params_.settling_s ? settling_ : settled_;
 }
 
 double JointPrior::log_birth(double seconds_since_first) const {

@@ -7,10 +7,10 @@ namespace lookout::tracking {
 /// What is believed of targets before anything is seen of them.
 struct JointPriorParams {
   double expected_targets = 2.0;  ///< In the field of view at any time, > 0.
-  double interior_rate = 0.001;   ///< Targets that appear inside the field of view, per scan, > 0.
+  double interior_rate = 0.002;   ///< Targets that appear inside the field of view [1/s], > 0.
   /// A sonar that starts may not show at once all that is there: during the first seconds [s], >= 0, so many
-  /// more come into sight at every scan, >= 0. docs/tracker.md.
-  double settling_s = 2.0, settling_rate = 1.0;
+  /// more come into sight [1/s], >= 0. docs/tracker.md.
+  double settling_s = 2.0, settling_rate = 2.0;
   double speed_sigmas = 3.0;  ///< The speed limit in standard deviations of a velocity component, > 0.
   double speed_edge = 0.2;    ///< Beyond the limit densities fall off with this sigma [m/s], > 0.
 };
@@ -22,8 +22,8 @@ void validate(const JointPriorParams& params);
 /// normal, as many entering over the border as that brings, a few appearing inside.
 class JointPrior {
  public:
-  /// @param params validated. @param max_speed of a target [m/s], > 0.
-  explicit JointPrior(const JointPriorParams& params = {}, double max_speed = 3.0);
+  /// @param params validated. @param max_speed of a target [m/s], > 0. @param scan_period [s], > 0.
+  explicit JointPrior(const JointPriorParams& params = {}, double max_speed = 3.0, double scan_period = 0.5);
 
   double max_speed() const { return max_speed_; }
   double velocity_sigma() const { return velocity_sigma_; }  ///< Of each component [m/s].
@@ -51,6 +51,7 @@ class JointPrior {
   JointPriorParams params_;
   double max_speed_;
   double velocity_sigma_;
+  double settling_, settled_;  ///< Targets that appear inside at a scan, while the sonar settles and later.
   double log_settling_, log_settled_;  ///< log_birth of either time.
 };
 

@@ -20,7 +20,7 @@ csht::SensorModelParams model_of(const JointTrackerParams& params, const core::S
 }  // namespace
 
 JointState::JointState(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed)
-    : prior(params.prior, sonar.max_speed),
+    : prior(params.prior, sonar.max_speed, sonar.scan_period),
       random(seed, core::RandomStream::tracker),
       likelihood(csht::figures_of(sonar), model_of(params, sonar), params.tolerance,
                  capacity_of(params, sonar), params.life.max_tracks, prior),

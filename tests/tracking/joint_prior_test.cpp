@@ -41,11 +41,16 @@ TEST(JointPrior, VelocitiesAreNormalAndLimited) {
 
 TEST(JointPrior, MoreComeIntoSightWhileTheSonarSettles) {
   const JointPrior prior(
-      {.expected_targets = 2.0, .interior_rate = 0.001, .settling_s = 2.0, .settling_rate = 0.5});
+      {.expected_targets = 2.0, .interior_rate = 0.002, .settling_s = 2.0, .settling_rate = 1.0}, 3.0, 0.5);
   EXPECT_NEAR(prior.appearing(0.0), 0.501, 1e-12);
   EXPECT_NEAR(prior.appearing(2.0), 0.001, 1e-12);
   for (const double seconds : {0.0, 1.9, 2.0, 100.0})
     EXPECT_NEAR(prior.log_birth(seconds), std::log(prior.appearing(seconds) / 2.0), 1e-12);
+}
+
+TEST(JointPrior, AsManyAppearInAMinuteHoweverOftenTheSonarLooks) {
+  const JointPrior fast({}, 3.0, 0.25), slow({}, 3.0, 1.5);
+  EXPECT_NEAR(240.0 * fast.appearing(60.0), 40.0 * slow.appearing(60.0), 1e-12);
 }
 
 TEST(JointPrior, WhatEntersIsTheFluxOverTheBorder) {
