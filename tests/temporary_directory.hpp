@@ -12,7 +12,8 @@ namespace lookout::tests {
 class TemporaryDirectory {
  public:
   TemporaryDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "lookout_test_XXXXXX").string();
+    const std::string replaced(6, 'X');  // By mkdtemp, which asks for these.
+    std::string name = (std::filesystem::temp_directory_path() / ("lookout_test_" + replaced)).string();
     path_ = mkdtemp(name.data());
   }
   ~TemporaryDirectory() {

@@ -94,16 +94,15 @@ void JointFilter::refresh(JointTrack& track, JointState& state) {
   if (effective <= std::min(track.cloud.effective_size(), cloud_.enough_effective)) return;
   std::swap(track.cloud, state.fresh);
   track.claims_are_fresh = false;
-  if (estimates_odds(track, task.ages, result, state)) estimate_odds(result.log_evidence, track);
+  if (tells_odds(track, task.ages, result, state)) estimate_odds(result.log_evidence, track);
 }
 
 // Odds that were picked as the best of many are too high; drawn again from the whole life they are not.
 // docs/tracker.md.
-bool JointFilter::estimates_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
-                                 const JointState& state) const {
+bool JointFilter::tells_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
+                             const JointState& state) const {
   const bool whole_life = ages.births && ages.oldest == state.scans().pushed() - 1 - track.first_scan;
-  return whole_life && track.log_odds < life_.settled_log_odds &&
-         result.effective_share > cloud_.trusted_share;
+  return whole_life && result.effective_share > cloud_.trusted_share;
 }
 
 void JointFilter::judge_motion(JointTrack& track, JointState& state) {
@@ -146,9 +145,9 @@ void JointFilter::tell_change(const JointManoeuvre::Judgement& judgement, const 
   const Motion motion = track.cloud.motion;
   state.decide(track, motion == Motion::line ? DecisionKind::straighten : DecisionKind::manoeuvre,
                judgement.evidence,
-               motion == Motion::line   ? "a straight line explains the latest scans as well"
-               : motion == Motion::turn ? "a turn explains the latest scans better"
-                                        : "a curve explains the latest scans better");
+               motion == Motion::line   ? "a straight line explains the scans as well"
+               : motion == Motion::turn ? "a turn explains the scans better"
+                                        : "a curve explains the scans better");
 }
 
 }  // namespace lookout::tracking

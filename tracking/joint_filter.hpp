@@ -24,8 +24,8 @@ class JointFilter {
   void claim_provisionally(JointState& state);
   void take_scan(JointTrack& track, JointState& state);
   void refresh(JointTrack& track, JointState& state);
-  bool estimates_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
-                      const JointState& state) const;
+  bool tells_odds(const JointTrack& track, const AgeSpan& ages, const SamplingResult& result,
+                  const JointState& state) const;
   void judge_motion(JointTrack& track, JointState& state);
   void estimate_odds(double life_evidence, JointTrack& track) const;
   void change_model(const JointManoeuvre::Judgement& judgement, JointTrack& track,
