@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "csht/range_gate.hpp"
 #include "csht/scan_table.hpp"
 
 namespace lookout::csht {
@@ -11,7 +12,9 @@ namespace {
 
 float ratio_at(const ScanTable& table, std::size_t slot, float range) {
   const float offset = (range - table.range[slot]) * table.inverse_sigma;
-  return table.base[slot] + table.gain * std::exp(-0.5F * offset * offset);
+  const auto lost =
+      static_cast<float>(lost_share(table.max_range, static_cast<double>(table.inverse_sigma), range));
+  return table.base[slot] + table.lost[slot] * lost + table.gain * std::exp(-0.5F * offset * offset);
 }
 
 }  // namespace

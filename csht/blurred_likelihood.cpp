@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "csht/fast_math.hpp"
+#include "csht/range_gate.hpp"
 #include "csht/vector_clones.hpp"
 
 namespace lookout::csht {
@@ -27,6 +28,8 @@ struct Block {
   Lane steepness;  // Of the logistic function over beams.
   Lane below;      // Share of the slots passed so far.
   Lane mixed;      // Their part of the likelihood ratio.
+  Lane lost;       // Probability that noise takes an echo out of the range gate,
+  bool loses;      // where it does so for some of them; else unset.
   std::array<int, kBlurBlock> slot;
   SlotLanes lanes;
 };
@@ -67,7 +70,7 @@ void load(const ScanTable& scan, const BeamMask* mask, int offset, std::size_t c
     b.slot[i] = static_cast<int>(std::floor(b.beam[i])) + offset;
     const auto slot = static_cast<std::size_t>(slot_of(scan, b.slot[i]));
     b.lanes.range[i] = scan.range[slot];
-    b.lanes.base[i] = scan.base[slot];
+    b.lanes.base[i] = b.loses ? scan.base[slot] + scan.lost[slot] * b.lost[i] : scan.base[slot];
     if constexpr (kMasked) {
       b.lanes.mask_range[i] = mask->range[slot];
       b.lanes.mask_share[i] = mask->share[slot];
@@ -130,9 +133,11 @@ double slot_ratio(const ScanTable& scan, const BeamMask* mask, const Tolerance& 
   const auto slot = static_cast<std::size_t>(slot_of(scan, number));
   const double offset = (range - static_cast<double>(scan.range[slot])) *
                         static_cast<double>(scan.inverse_sigma) / tolerance.sigma_scale;
-  const double ratio = static_cast<double>(scan.base[slot]) + static_cast<double>(scan.gain) /
-                                                                  tolerance.sigma_scale *
-                                                                  std::exp(-0.5 * offset * offset);
+  const double lost =
+      lost_share(scan.max_range, static_cast<double>(scan.inverse_sigma) / tolerance.sigma_scale, range);
+  const double ratio =
+      static_cast<double>(scan.base[slot]) + static_cast<double>(scan.lost[slot]) * lost +
+      static_cast<double>(scan.gain) / tolerance.sigma_scale * std::exp(-0.5 * offset * offset);
   if (mask == nullptr) return ratio;
   const auto share = static_cast<double>(mask->share[slot]);
   return range > static_cast<double>(mask->range[slot]) ? share + (1.0 - share) * ratio
@@ -163,6 +168,7 @@ void find_blurred_ratios(const ScanTable& scan, const BeamMask* mask, std::span<
   Block block;
   block.gain = scan.gain * scale;
   block.inverse_sigma = scan.inverse_sigma * scale;
+  block.loses = find_lost_shares(static_cast<float>(scan.max_range), block.inverse_sigma, range, block.lost);
   start(scan, range.data(), bearing.data(), count, soft_variance(tolerance), block);
   for (int k = -scan.blur_reach; k <= scan.blur_reach; ++k) {
     const bool last = k == scan.blur_reach;

@@ -44,6 +44,21 @@ inline float fast_log(float x) {
   return static_cast<float>(power) * std::numbers::ln2_v<float> + series;
 }
 
+/// Probability that a standard normal number exceeds x: [Abramowitz1964] 26.2.17, error below 1e-6 in single
+/// precision.
+inline float fast_normal_tail(float x) {
+  constexpr float kDensity = 0.3989422804F;  // 1 / sqrt(2 pi).
+  const float size = x < 0.0F ? -x : x;
+  const float t = 1.0F / (1.0F + 0.2316419F * size);
+  float series = 1.330274429F;
+  series = series * t - 1.821255978F;
+  series = series * t + 1.781477937F;
+  series = series * t - 0.356563782F;
+  series = (series * t + 0.319381530F) * t;
+  const float tail = kDensity * fast_exp(-0.5F * size * size) * series;
+  return x < 0.0F ? 1.0F - tail : tail;
+}
+
 /// The angle of (x, y) in (-pi, pi], 0 at the origin. [Abramowitz1964] 4.4.49 on [0, 1], error below 1e-6
 /// rad.
 inline float fast_atan2(float y, float x) {
@@ -72,8 +87,8 @@ struct SinCos {
   double sin, cos;
 };
 
-/// Sine and cosine for |x| < 1e6, double precision: whole half turns off, the rest by Taylor to degrees 15 and
-/// 16 on [-pi / 2, pi / 2]: error below 1e-9.
+/// Sine and cosine for |x| < 1e6, double precision: whole half turns off, the rest by Taylor to degrees 15
+/// and 16 on [-pi / 2, pi / 2]: error below 1e-9.
 inline SinCos fast_sin_cos(double x) {
   constexpr double kRounder = 6755399441055744.0;  // 1.5 x 2^52, as kRounder of fast_exp.
   const double shifted = x * std::numbers::inv_pi + kRounder;

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "csht/fast_math.hpp"
+#include "csht/range_gate.hpp"
 #include "csht/vector_clones.hpp"
 
 namespace lookout::csht {
@@ -82,7 +83,10 @@ void find_point_ratios(const ScanTable& scan, const BeamMask* mask, std::span<co
   assert(range.size() <= kPointBlock);
   const Shape shape = shape_of(scan, tolerance);
   const Block block{range.data(), bearing.data(), ratio.data(), range.size()};
+  std::array<float, kPointBlock> lost;
   std::fill(ratio.begin(), ratio.end(), scan.base[1]);
+  if (find_lost_shares(static_cast<float>(scan.max_range), shape.inverse_sigma, range, lost))
+    for (std::size_t i = 0; i < range.size(); ++i) ratio[i] += scan.lost[1] * lost[i];
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     const float gain = mask == nullptr ? shape.gain : shape.gain * (1.0F - mask->share[j]);
     add_point(shape, gain, static_cast<float>(scan.detections[j].range), scan.bearing_from_axis[j], block);
@@ -95,7 +99,8 @@ double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, double ran
                          const Tolerance& tolerance) {
   if (std::abs(bearing) > static_cast<double>(scan.half_sector)) return 1.0;
   const double scale = 1.0 / tolerance.sigma_scale;
-  double ratio = static_cast<double>(scan.base[1]), merged = 0.0;
+  const double lost = lost_share(scan.max_range, scale * static_cast<double>(scan.inverse_sigma), range);
+  double ratio = static_cast<double>(scan.base[1]) + static_cast<double>(scan.lost[1]) * lost, merged = 0.0;
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     const double share = mask == nullptr ? 0.0 : static_cast<double>(mask->share[j]);
     const double turn = core::wrap_to_pi(bearing - static_cast<double>(scan.bearing_from_axis[j]));

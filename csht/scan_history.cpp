@@ -36,6 +36,7 @@ void ScanHistory::make_room(std::size_t returns, std::size_t slots) {
     table.bearing_from_axis.reserve(densest_);
     table.range.reserve(widest_);
     table.base.reserve(widest_);
+    table.lost.reserve(widest_);
   }
 }
 

@@ -17,9 +17,10 @@ constexpr double kBlurSigmas =
     2.0;  // Of the heading, beyond which a target is taken for in the outermost beam.
 
 struct EchoWorth {
-  double gain = 0.0;     // Factor of the Gaussian at an echo of the target.
-  double foreign = 0.0;  // Likelihood ratio of an echo that cannot be the target's.
-  double silence = 0.0;  // Likelihood ratio of a silent beam.
+  double gain = 0.0;                              // Factor of the Gaussian at an echo of the target.
+  double foreign = 0.0;                           // Likelihood ratio of an echo that cannot be the target's.
+  double silence = 0.0;                           // Likelihood ratio of a silent beam.
+  double foreign_lost = 0.0, silence_lost = 0.0;  // What both gain where the target's echo is surely lost.
 };
 
 // [Yan2018] V as a likelihood ratio "target here" against "no target here"; each averages 1 over clutter.
@@ -31,10 +32,13 @@ EchoWorth worth_of(const SensorFigures& f, const SensorModelParams& model, doubl
     worth.gain = detect / f.false_alarm_probability * height;
     worth.foreign = std::exp(model.log_floor);
     worth.silence = f.miss_probability / (1.0 - f.false_alarm_probability);
+    worth.silence_lost = detect / (1.0 - f.false_alarm_probability);
   } else {  // Of a target's echo and a false alarm in one beam, either is reported.
     worth.gain = detect * (1.0 - 0.5 * f.false_alarm_probability) / f.false_alarm_probability * height;
     worth.foreign = 1.0 - 0.5 * detect;
     worth.silence = f.miss_probability;
+    worth.foreign_lost = 0.5 * detect;
+    worth.silence_lost = detect;
   }
   return worth;
 }
@@ -42,9 +46,14 @@ EchoWorth worth_of(const SensorFigures& f, const SensorModelParams& model, doubl
 void set_beam_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
   const EchoWorth worth = worth_of(figures, model, table.max_range);
   table.gain = static_cast<float>(worth.gain);
-  for (std::size_t slot = 0; slot < table.range.size(); ++slot)
-    table.base[slot] = static_cast<float>(table.range[slot] < 0.0F ? worth.silence : worth.foreign);
-  if (!table.whole_circle) table.base.front() = table.base.back() = 1.0F;
+  for (std::size_t slot = 0; slot < table.range.size(); ++slot) {
+    const bool silent = table.range[slot] < 0.0F;
+    table.base[slot] = static_cast<float>(silent ? worth.silence : worth.foreign);
+    table.lost[slot] = static_cast<float>(silent ? worth.silence_lost : worth.foreign_lost);
+  }
+  if (table.whole_circle) return;
+  table.base.front() = table.base.back() = 1.0F;
+  table.lost.front() = table.lost.back() = 0.0F;
 }
 
 // Clutter is uniform over range and bearing, as the false alarms of [Yan2018] V are.
@@ -53,6 +62,7 @@ void set_point_figures(const SensorFigures& figures, ScanTable& table) {
   const double area = 2.0 * std::numbers::pi * figures.range_sigma * figures.bearing_sigma;
   table.gain = static_cast<float>((1.0 - figures.miss_probability) / (density * area));
   std::fill(table.base.begin(), table.base.end(), static_cast<float>(figures.miss_probability));
+  std::fill(table.lost.begin(), table.lost.end(), static_cast<float>(1.0 - figures.miss_probability));
   table.inverse_resolution = figures.resolution > 0.0 ? static_cast<float>(1.0 / figures.resolution) : 0.0F;
   table.inverse_bearing_sigma = static_cast<float>(1.0 / figures.bearing_sigma);
 }
@@ -76,6 +86,7 @@ void fill_slots(ScanTable& table) {
   const auto slots = static_cast<std::size_t>(table.num_beams) + 2;
   table.range.assign(slots, kFar);
   table.base.assign(slots, 1.0F);
+  table.lost.assign(slots, 0.0F);
   table.bearing_from_axis.clear();
   for (const auto& detection : table.detections) {
     table.bearing_from_axis.push_back(static_cast<float>(core::wrap_to_pi(detection.azimuth - table.axis)));

@@ -38,6 +38,8 @@ struct ScanTable {
   /// far away.
   std::vector<float> range;
   std::vector<float> base;
+  /// What the base gains, times the probability that noise takes the target's echo out of the range gate.
+  std::vector<float> lost;
   float gain = 0.0F;
   float inverse_sigma = 0.0F;  ///< [1/m].
   /// point alone: bearing of each detection from `axis` [rad].

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "csht/range_gate.hpp"
 #include "csht/sensor_likelihood.hpp"
 
 namespace lookout::csht {
@@ -19,6 +20,7 @@ void require(bool holds, const char* what, double value) {
 // What one sample of a trajectory makes of one scan.
 struct Sighting {
   double echo = 0.0, silence = 0.0;    // Probability of an echo of its own, and of a miss.
+  double lost = 0.0;                   // Of an echo that noise took out of the range gate.
   double residual = 0.0, range = 0.0;  // Of the echo, and of the prediction [m].
 };
 
@@ -26,18 +28,23 @@ Sighting sight_in_beam(const ScanTable& scan, double range, double bearing) {
   const double beam = bearing / scan.bearing_step + 0.5 * scan.num_beams;
   if (beam < 0.0 || beam >= scan.num_beams || range > scan.max_range) return {};
   const auto slot = static_cast<std::size_t>(beam) + 1;
-  if (scan.silent(static_cast<int>(beam))) return {0.0, 1.0, 0.0, range};
+  if (scan.silent(static_cast<int>(beam))) {
+    const double lost = scan.lost[slot] * lost_share(scan.max_range, scan.inverse_sigma, range);
+    const double miss = scan.base[slot] / (scan.base[slot] + lost);
+    return {0.0, miss, 1.0 - miss, 0.0, range};
+  }
   const double residual = scan.range[slot] - range;
   const double sigmas = residual * scan.inverse_sigma;
   const double own = scan.gain * std::exp(-0.5 * sigmas * sigmas);
   // An echo of something else: this sample is in the wrong beam, or the model is; it teaches nothing.
-  return {own / (own + scan.base[slot]), 0.0, residual, range};
+  return {own / (own + scan.base[slot]), 0.0, 0.0, residual, range};
 }
 
 Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
   if (std::abs(bearing) > scan.half_sector || range > scan.max_range) return {};
-  double total = scan.base[1], best = 0.0;
-  Sighting sighting{0.0, 0.0, 0.0, range};
+  const double lost = scan.lost[1] * lost_share(scan.max_range, scan.inverse_sigma, range);
+  double echoes = 0.0, best = 0.0;
+  Sighting sighting{0.0, 0.0, 0.0, 0.0, range};
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     const double dr = scan.detections[j].range - range;
     const double db = core::wrap_to_pi(scan.bearing_from_axis[j] - bearing) * scan.inverse_bearing_sigma;
@@ -45,10 +52,12 @@ Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
     const double own = scan.gain * std::exp(-0.5 * (sigmas * sigmas + db * db));
     if (own > best) sighting.residual = dr;
     best = std::max(best, own);
-    total += own;
+    echoes += own;
   }
+  const double total = echoes + scan.base[1] + lost;
+  sighting.echo = echoes / total;
   sighting.silence = scan.base[1] / total;
-  sighting.echo = 1.0 - sighting.silence;
+  sighting.lost = lost / total;
   return sighting;
 }
 
@@ -150,19 +159,21 @@ void SensorFigureEstimator::learn_target(const ScanHistory& history, std::size_t
 void SensorFigureEstimator::learn_echo(const ScanTable& scan, std::span<const Eigen::Vector4d> samples,
                                        double seconds) {
   const double weight = 1.0 / static_cast<double>(samples.size());
-  double echo = 0.0, silence = 0.0, residual = 0.0, squares = 0.0, range = 0.0, range_squares = 0.0;
+  double echo = 0.0, silence = 0.0, lost = 0.0;
+  double residual = 0.0, squares = 0.0, range = 0.0, range_squares = 0.0;
   for (const auto& sample : samples) {
     const Sighting sighting = sight(scan, sample, seconds);
     const double own = weight * sighting.echo;
     echo += own;
     silence += weight * sighting.silence;
+    lost += weight * sighting.lost;
     residual += own * sighting.residual;
     squares += own * sighting.residual * sighting.residual;
     range += own * sighting.range;
     range_squares += own * sighting.range * sighting.range;
   }
   miss_.hits += silence;
-  miss_.trials += silence + echo;
+  miss_.trials += silence + echo + lost;
   if (echo < 0.5) return;
   // The trajectory was drawn to this echo: its residual about the mean falls short of sigma by its spread.
   const double mean = residual / echo;

@@ -8,6 +8,7 @@
 #include "csht/blurred_likelihood.hpp"
 #include "csht/fast_math.hpp"
 #include "csht/point_likelihood.hpp"
+#include "csht/range_gate.hpp"
 #include "csht/vector_clones.hpp"
 
 namespace lookout::csht {
@@ -40,6 +41,8 @@ struct Block {
   Lane bearing;  // From the sector's middle [rad].
   Lane seen;     // 1 within the maximum range, else 0.
   Lane weight;   // Of the neighbour slot in the mixture at a beam edge.
+  Lane lost;     // Probability that noise takes an echo out of the range gate,
+  bool loses;    // where it does so for some of them; else unset.
   std::array<int, kBlock> slot, neighbour;
   SlotLanes own, other;
   Lane ratio;
@@ -89,10 +92,10 @@ void find_slots(const ScanTable& scan, std::size_t count, Block& b) {
 
 template <bool kMasked>
 inline __attribute__((always_inline)) void load_one(const ScanTable& scan, const BeamMask* mask, int slots,
-                                                    std::size_t i, SlotLanes& lanes) {
+                                                    std::size_t i, const Block& b, SlotLanes& lanes) {
   const auto slot = static_cast<std::size_t>(std::clamp(slots, 0, scan.num_beams + 1));
   lanes.range[i] = scan.range[slot];
-  lanes.base[i] = scan.base[slot];
+  lanes.base[i] = b.loses ? scan.base[slot] + scan.lost[slot] * b.lost[i] : scan.base[slot];
   if constexpr (kMasked) {
     lanes.mask_range[i] = mask->range[slot];
     lanes.mask_share[i] = mask->share[slot];
@@ -148,7 +151,7 @@ void forget_unseen(std::size_t count, Block& b) {
 // Where edges are hardly softened, few hypotheses are near one: those alone are mixed, one by one.
 template <bool kMasked>
 void score_slots(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
-  for (std::size_t i = 0; i < count; ++i) load_one<kMasked>(scan, mask, b.slot[i], i, b.own);
+  for (std::size_t i = 0; i < count; ++i) load_one<kMasked>(scan, mask, b.slot[i], i, b, b.own);
   kMasked ? score_own_masked(count, b) : score_own_free(count, b);
   std::array<std::uint8_t, kBlock> near;
   std::size_t num_near = 0;
@@ -159,7 +162,7 @@ void score_slots(const ScanTable& scan, const BeamMask* mask, std::size_t count,
   const bool few = kFewNear * num_near < count;
   for (std::size_t k = 0; k < (few ? num_near : count); ++k) {
     const std::size_t i = few ? near[k] : k;
-    load_one<kMasked>(scan, mask, b.neighbour[i], i, b.other);
+    load_one<kMasked>(scan, mask, b.neighbour[i], i, b, b.other);
     if (!few) continue;
     b.ratio[i] += b.weight[i] * (slot_ratio<kMasked>(b.shape, b.other, b.range[i], i) - b.ratio[i]);
   }
@@ -169,6 +172,8 @@ void score_slots(const ScanTable& scan, const BeamMask* mask, std::size_t count,
 
 void score_beams(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
   find_slots(scan, count, b);
+  b.loses = find_lost_shares(static_cast<float>(scan.max_range), b.shape.inverse_sigma,
+                             {b.range.data(), count}, {b.lost.data(), count});
   if (mask == nullptr)
     score_slots<false>(scan, mask, count, b);
   else
@@ -210,8 +215,9 @@ void for_each_block(const ScanTable& scan, const BeamMask* mask, const Hypothesi
 double plain_slot_ratio(const ScanTable& scan, const BeamMask* mask, const Shape& shape, int slot_index,
                         double range) {
   const auto slot = static_cast<std::size_t>(std::clamp(slot_index, 0, scan.num_beams + 1));
+  const double lost = scan.lost[slot] * lost_share(scan.max_range, shape.inverse_sigma, range);
   const double offset = (range - scan.range[slot]) * shape.inverse_sigma;
-  const double ratio = scan.base[slot] + shape.gain * std::exp(-0.5 * offset * offset);
+  const double ratio = scan.base[slot] + lost + shape.gain * std::exp(-0.5 * offset * offset);
   if (mask == nullptr) return ratio;
   const double share = mask->share[slot];
   return range > mask->range[slot] ? share + (1.0 - share) * ratio : ratio * mask->nearer[slot];

@@ -99,7 +99,9 @@ TEST(JointEvidence, LongWindowsKeepTheirEvidence) {
 }
 
 // One silent scan, and a cloud of hypotheses in view: the evidence is P_M / (1 - P_F) times the prior mass
-// of the cloud, the integral of a constant, which the sum over samples must return.
+// of the cloud, the integral of a constant, which the sum over samples must return; and as much as the echoes
+// are worth that noise took beyond the range: at sigma / sqrt(2 pi) x the arc of the sector, 2 sigma /
+// (sqrt(2 pi) R) of its area.
 TEST(JointEvidence, IntegratesAConstant) {
   const auto history = testing::history_of(testing::scans_of({}, 1), testing::noisy_figures());
   JointEvidence evidence({.samples = 4000, .stages = 1});
@@ -112,7 +114,8 @@ TEST(JointEvidence, IntegratesAConstant) {
   hypothesis.covariance = Eigen::Vector4d(900.0, 900.0, 6.0, 6.0).asDiagonal();
   evidence.evaluate(history, 1, claims, prior, 1, random, hypothesis);
   // All of the prior lies within a few sigma of this proposal: two targets per view, each 0.1 / 0.9.
-  EXPECT_NEAR(std::exp(hypothesis.log_odds), 2.0 * 0.1 / 0.9, 0.02);
+  const double beyond = 2.0 * 3.0 / (std::sqrt(2.0 * std::numbers::pi) * 150.0);
+  EXPECT_NEAR(std::exp(hypothesis.log_odds), 2.0 * (0.1 / 0.9 + beyond), 0.02);
 }
 
 TEST(JointEvidence, ATargetThatCameLateHasItsEvidenceByBirths) {

@@ -58,13 +58,13 @@ TEST(SensorLikelihood, EdgesAreAMixtureOfBothBeams) {
 
 // Under clutter alone a likelihood ratio averages 1 by construction; the echo's range is integrated by the
 // midpoint rule. The floor adds what it is: P_F e^-8.
-double mean_under_clutter(ClutterModel clutter, const BeamMask* mask = nullptr) {
+double mean_under_clutter(ClutterModel clutter, const BeamMask* mask = nullptr, double at = 80.0) {
   const int steps = 15000;
-  double mean = (1 - kFalse) * std::exp(log_ratio(table_of({}, clutter), mask, in_beam_45(80.0)));
+  double mean = (1 - kFalse) * std::exp(log_ratio(table_of({}, clutter), mask, in_beam_45(at)));
   for (int i = 0; i < steps; ++i) {
     const double range = 150.0 * (i + 0.5) / steps;
     const auto table = table_of({{core::radians(0.5), range, 1}}, clutter);
-    mean += kFalse / steps * std::exp(log_ratio(table, mask, in_beam_45(80.0)));
+    mean += kFalse / steps * std::exp(log_ratio(table, mask, in_beam_45(at)));
   }
   return mean;
 }
@@ -72,6 +72,23 @@ double mean_under_clutter(ClutterModel clutter, const BeamMask* mask = nullptr) 
 TEST(SensorLikelihood, AveragesOneUnderClutter) {
   EXPECT_NEAR(mean_under_clutter(ClutterModel::exclusive_beam), 1.0 + kFalse * std::exp(-8.0), 1e-5);
   EXPECT_NEAR(mean_under_clutter(ClutterModel::shared_beam), 1.0, 1e-5);
+}
+
+// At either end of the range gate too: what a silence gains there is what echoes lose.
+TEST(SensorLikelihood, AveragesOneWhereNoiseTakesEchoesOutOfTheGate) {
+  for (const double at : {149.9, 148.0, 1.0}) {
+    EXPECT_NEAR(mean_under_clutter(ClutterModel::exclusive_beam, nullptr, at), 1.0 + kFalse * std::exp(-8.0),
+                1e-4);
+    EXPECT_NEAR(mean_under_clutter(ClutterModel::shared_beam, nullptr, at), 1.0, 1e-4);
+  }
+}
+
+TEST(SensorLikelihood, ASilenceAtTheEndOfTheRangeIsHalfAMiss) {
+  const auto silent = table_of({}, ClutterModel::exclusive_beam);
+  EXPECT_NEAR(std::exp(log_ratio(silent, nullptr, in_beam_45(150.0))),
+              (kMiss + 0.5 * (1 - kMiss)) / (1 - kFalse), 1e-6);
+  const auto point = table_of({}, ClutterModel::point);
+  EXPECT_NEAR(std::exp(log_ratio(point, nullptr, in_beam_45(150.0))), kMiss + 0.5 * (1 - kMiss), 1e-6);
 }
 
 TEST(SensorLikelihood, ToleranceWidensAndLowersTheEcho) {

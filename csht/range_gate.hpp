@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+
+namespace lookout::csht {
+
+// Sonars report ranges in (0, max_range] alone: noise takes some echoes of a target near either end out of
+// them, and its beam stays silent. A silence there is less of a miss than elsewhere. docs/estimator.md.
+
+/// Writes to `lost` the probability that noise takes an echo of a target at each range [m] out of the gate,
+/// within 1e-6. Vectorised; single precision.
+/// @param inverse_sigma of the noise [1/m]. @param lost as many as ranges.
+/// @return false, with nothing written, where no range is within four sigma of an end.
+bool find_lost_shares(float max_range, float inverse_sigma, std::span<const float> range,
+                      std::span<float> lost);
+
+/// One of them, in double precision and the plainest form.
+double lost_share(double max_range, double inverse_sigma, double range);
+
+}  // namespace lookout::csht
