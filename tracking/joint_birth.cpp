@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "tracking/joint_information.hpp"
 #include "tracking/joint_memory.hpp"
-#include "tracking/joint_unseen.hpp"
 
 namespace lookout::tracking {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "tracking/joint_unseen.hpp"
+#include "tracking/joint_information.hpp"
 
 namespace lookout::tracking {
 

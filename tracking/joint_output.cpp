@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "tracking/joint_unseen.hpp"
+#include "tracking/joint_information.hpp"
 
 namespace lookout::tracking {
 
@@ -25,9 +25,8 @@ void JointOutput::choose(double unseen, JointState& state) {
 
 // Of a track that was never reported.
 double JointOutput::least_first_existence(const csht::ScanHistory& scans) const {
-  const double nats = std::max(0.0, nats_per_scan(scans.figures(), scans.newest()));
-  return probability(
-      std::max(params_.first_least_log_odds, params_.first_log_odds - params_.first_overshoot * nats));
+  const double overshoot = log_overshoot(evidence_of(scans.figures(), scans.newest()));
+  return probability(std::max(0.0, params_.first_log_odds + overshoot));
 }
 
 void JointOutput::confirm(JointTrack& track, bool report, const JointState& state) const {

@@ -113,9 +113,6 @@ void validate(const JointReportParams& p) {
           p.least_probability);
   require(std::isfinite(p.first_log_odds) && p.first_log_odds >= 0.0, "first_log_odds must be >= 0",
           p.first_log_odds);
-  require(std::isfinite(p.first_least_log_odds) && p.first_least_log_odds >= 0.0,
-          "first_least_log_odds must be >= 0", p.first_least_log_odds);
-  require(p.first_overshoot >= 0.0, "first_overshoot must be >= 0", p.first_overshoot);
   require(p.published_tentative >= 0.0 && p.published_tentative <= 1.0,
           "published_tentative must be in [0, 1]", p.published_tentative);
 }

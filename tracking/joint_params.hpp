@@ -119,14 +119,11 @@ struct JointReportParams {
   double cutoff = 20.0;             ///< Of the OSPA that is minimised [m], > 0.
   int samples = 128;                ///< Target sets drawn to estimate it, >= 1.
   double least_probability = 0.02;  ///< From which a track is weighed for the report, in [0, 1].
-  /// A track that was never reported is not before the log odds that it is there, in view, reach this [nats],
-  /// >= 0, less `first_overshoot` times the mean information of a scan: where scans tell much, odds that
-  /// cross a threshold leap far beyond it; where they tell little, they creep over it, and every other such
-  /// report would be a false track. [Siegmund1985] Ch. 4 corrects sequential tests for the same overshoot.
-  double first_log_odds = 1.25;
-  double first_overshoot = 0.5;        ///< >= 0.
-  double first_least_log_odds = 0.25;  ///< The least that is ever asked for [nats], >= 0.
-  double published_tentative = 0.05;   ///< Existence from which a tentative track is published, in [0, 1].
+  /// Of tracks that are reported for the first time, one in 1 + e^this may be a false one [nats], >= 0: odds
+  /// that creep over a threshold stand near it then, odds that leap with every echo stand far beyond, and may
+  /// have a lower one (`log_overshoot`), 0 at least.
+  double first_log_odds = 1.75;
+  double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
 };
 
 /// The error of a heading that the targets of a scan share.

@@ -9,9 +9,6 @@
 
 namespace lookout::tracking {
 
-/// Mean information of one scan on a target in view [nats]. docs/tracker.md.
-double nats_per_scan(const csht::SensorFigures& figures, const csht::ScanTable& scan);
-
 /// How many targets are in view that no track stands for, on average: those of the prior and those that come
 /// into sight, found at the rate at which evidence comes in.
 class JointUnseen {

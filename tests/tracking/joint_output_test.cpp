@@ -46,13 +46,11 @@ TEST(JointOutput, WithMuchUnseenADoubtfulTrackIsReportedAgain) {
   EXPECT_EQ(output_of(output, 0.0, state)[0].status, core::TrackStatus::tentative);
 }
 
-// 2.1 nats a scan at (.3, .3) (joint_unseen_test), 1.25 at (.5, .5), where 1.5 - 0.7 x 1.25 = 0.63 are
-// needed.
-TEST(JointOutput, WhereAScanTellsLittleAFirstReportNeedsMore) {
+// Echoes bring 3.3 nats at (.3, .3) and 2.5 at (.5, .5), where silence says nothing: ln((1 - e^-x) / x) is
+// -1.24 and -1.00, so that 0.36 and 0.60 are needed.
+TEST(JointOutput, WhereOddsLeapAFirstReportNeedsLess) {
   JointReportParams params;
-  params.first_log_odds = 1.5;
-  params.first_overshoot = 0.7;
-  params.first_least_log_odds = 0.4;
+  params.first_log_odds = 1.6;
   for (const double p : {0.3, 0.5}) {
     core::SonarParams sonar = clear_sonar();
     sonar.miss_probability = sonar.false_alarm_probability = p;
@@ -65,18 +63,18 @@ TEST(JointOutput, WhereAScanTellsLittleAFirstReportNeedsMore) {
   }
 }
 
-// At (.1, .1) a scan tells 4 nats: the least that is ever asked for holds.
-TEST(JointOutput, AFirstReportNeverNeedsLessThanTheLeast) {
+// Where echoes alone would do at less than even odds: at (.02, .02) they leap by 6 nats.
+TEST(JointOutput, AFirstReportNeverNeedsLessThanEvenOdds) {
   core::SonarParams sonar = clear_sonar();
-  sonar.miss_probability = sonar.false_alarm_probability = 0.1;
+  sonar.miss_probability = sonar.false_alarm_probability = 0.02;
   JointState state({}, sonar, 1);
   state.likelihood.push(scan_of(0, {}));
   JointReportParams params;
-  params.first_least_log_odds = 0.4;
-  JointTrack& track = add_track(state, kLine, 0.3);
+  params.first_log_odds = 1.0;
+  JointTrack& track = add_track(state, kLine, -0.1);
   JointOutput output(params, state.random);
   EXPECT_EQ(output_of(output, 6.0, state)[0].status, core::TrackStatus::tentative);
-  track.log_odds = 0.5;
+  track.log_odds = 0.1;
   EXPECT_EQ(output_of(output, 6.0, state)[0].status, core::TrackStatus::confirmed);
 }
 

@@ -56,8 +56,6 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"sudden_scans", [](auto& p) { p.manoeuvre.sudden_scans = 0; }},
         BadValue{"return_s", [](auto& p) { p.life.return_s = -1.0; }},
         BadValue{"first_log_odds", [](auto& p) { p.report.first_log_odds = NAN; }},
-        BadValue{"first_least_log_odds", [](auto& p) { p.report.first_least_log_odds = -1.0; }},
-        BadValue{"first_overshoot", [](auto& p) { p.report.first_overshoot = -1.0; }},
         BadValue{"published_tentative", [](auto& p) { p.report.published_tentative = 1.5; }},
         BadValue{"heading steps must be >= 1, got 0", [](auto& p) { p.heading.steps = 0; }},
         BadValue{"target_samples", [](auto& p) { p.learning.target_samples = 0; }}));
