@@ -10,7 +10,9 @@ double JointUnseen::update(const csht::ScanTable& scan, const csht::SensorFigure
   const double found =
       std::clamp(nats_per_scan(figures, scan), params_.least_nats, params_.begin_nats) / params_.begin_nats;
   since_first_ += seconds;
-  mean_ += prior_.entering(scan, seconds) + prior_.appearing(since_first_) - found * mean_;
+  const double appearing = prior_.appearing(since_first_);
+  mean_ += prior_.entering(scan, seconds) + appearing - found * mean_;
+  standing_ += appearing - found * standing_;
   return mean_;
 }
 

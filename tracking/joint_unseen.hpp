@@ -14,18 +14,21 @@ namespace lookout::tracking {
 class JointUnseen {
  public:
   JointUnseen(const JointBirthParams& params, const JointPrior& prior)
-      : params_(params), prior_(prior), mean_(prior.expected_targets()) {}
+      : params_(params), prior_(prior), mean_(prior.expected_targets()), standing_(mean_) {}
 
   /// Takes one scan in, `seconds` after the one before. @return the mean after it.
   double update(const csht::ScanTable& scan, const csht::SensorFigures& figures, double seconds);
   double mean() const { return mean_; }
-  /// To those of the prior, 1 at most: however long nothing was seen, no more stand there than that.
-  double relative() const { return std::min(1.0, mean_ / prior_.expected_targets()); }
+  /// Those that may stand anywhere in view, to those of the prior, 1 at most: however long nothing was seen,
+  /// no more stand there than that. What came in through the border is left out: it is near it still, or
+  /// found.
+  double relative() const { return std::min(1.0, standing_ / prior_.expected_targets()); }
 
  private:
   JointBirthParams params_;
   JointPrior prior_;
   double mean_;
+  double standing_;           ///< Of them, those that did not come in through the border.
   double since_first_ = 0.0;  ///< [s].
 };
 
