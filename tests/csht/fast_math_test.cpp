@@ -19,6 +19,11 @@ TEST(FastMath, LogIsWithinItsBound) {
     EXPECT_NEAR(fast_log(x), std::log(x), 3e-7F * std::max(1.0F, std::abs(std::log(x)))) << x;
 }
 
+TEST(FastMath, NormalTailIsWithinItsBound) {
+  for (float x = -9.0F; x < 9.0F; x += 0.0137F)
+    EXPECT_NEAR(fast_normal_tail(x), 0.5 * std::erfc(static_cast<double>(x) / std::sqrt(2.0)), 1e-6) << x;
+}
+
 TEST(FastMath, AtanCoversTheCircle) {
   for (float angle = -3.14F; angle < 3.14F; angle += 0.0101F)
     EXPECT_NEAR(fast_atan2(7.0F * std::sin(angle), 7.0F * std::cos(angle)), angle, 1e-6F);

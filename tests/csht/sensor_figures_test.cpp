@@ -16,17 +16,17 @@ const Course kCourse{{80, 10}, {-0.4, 0.6}};
 
 // 120 scans of one course, the target told, `clutter` false alarms in 90 beams and misses of 30 %.
 SensorFigureEstimator watch(const core::SonarParams& given, int clutter, double sigma = 3.0,
-                            int held_scans = 120) {
+                            int held_scans = 120, const Course& course = kCourse) {
   core::Random random(1011);
   const auto scans = testing::scans_of(
-      {kCourse}, 120, {.range_sigma = sigma, .quantise = true, .p_miss = 0.3, .clutter_per_scan = clutter},
+      {course}, 120, {.range_sigma = sigma, .quantise = true, .p_miss = 0.3, .clutter_per_scan = clutter},
       random);
   SensorFigureEstimator estimator({}, given);
   ScanHistory history(estimator.figures(), {}, 20);
   for (const auto& posed : scans) {
     history.push(posed);
     Eigen::Vector4d state;
-    state << kCourse.at(core::seconds(posed.scan.utime)), kCourse.velocity;
+    state << course.at(core::seconds(posed.scan.utime)), course.velocity;
     const std::array samples{state};
     const std::array targets{KnownTarget{samples, 1.0, held_scans}};
     estimator.update(history, targets);
@@ -52,6 +52,14 @@ TEST(SensorFigures, ATargetThatHasNotBeenThereForLongTeachesNothing) {
   const auto estimate = watch(testing::sonar(), 20, 3.0, 9).estimate();
   EXPECT_DOUBLE_EQ(estimate.miss_probability, 0.5);
   EXPECT_GT(estimate.miss_probability_sigma, 0.2);
+}
+
+// At 149.5 m, 0.43 of the echoes are beyond 150 m: a share of 0.6 of silences, and no more misses than
+// anywhere.
+TEST(SensorFigures, EchoesLostBeyondTheRangeAreNoMisses) {
+  const auto estimate = watch(testing::sonar(), 0, 3.0, 120, {{149.5, 1.0}, {0.0, 0.0}}).estimate();
+  EXPECT_NEAR(estimate.miss_probability, 0.3, 0.15);  // Three sigma of 110 trials of which half tell little.
+  EXPECT_LT(estimate.miss_probability, 0.5);
 }
 
 TEST(SensorFigures, RightFiguresAreUsedAsGiven) {
