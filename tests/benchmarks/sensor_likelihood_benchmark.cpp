@@ -26,10 +26,10 @@ csht::ScanTable noisy_table(csht::ClutterModel clutter, double false_alarm_proba
 
 struct Cloud {
   std::vector<double> north, east, north_velocity, east_velocity, sum;
-  explicit Cloud(std::size_t size) : sum(size, 0.0) {
+  explicit Cloud(std::size_t size, double ahead = 80.0) : sum(size, 0.0) {
     core::Random random(1002);
     for (std::size_t i = 0; i < size; ++i) {
-      north.push_back(80.0 + random.gaussian(3.0));
+      north.push_back(ahead + random.gaussian(3.0));
       east.push_back(10.0 + random.gaussian(3.0));
       north_velocity.push_back(random.gaussian(0.5));
       east_velocity.push_back(random.gaussian(0.5));
@@ -43,12 +43,12 @@ void report_terms(benchmark::State& state, std::size_t terms) {
                          benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
-void vectorised(benchmark::State& state, csht::ClutterModel clutter, bool masked) {
+void vectorised(benchmark::State& state, csht::ClutterModel clutter, bool masked, double ahead = 80.0) {
   const auto table = noisy_table(clutter, clutter == csht::ClutterModel::point ? 0.1 : 0.5);
   csht::BeamMask mask;
   mask.clear(table);
   if (masked) csht::claim_beam(table, 50, 60.0, 0.5, mask);
-  Cloud cloud(256);
+  Cloud cloud(256, ahead);
   for (auto _ : state) {
     csht::add_log_ratio(table, &mask, {cloud.north, cloud.east, cloud.north_velocity, cloud.east_velocity},
                         -2.0, {}, cloud.sum);
@@ -72,6 +72,8 @@ void plain_loop(benchmark::State& state, csht::ClutterModel clutter) {
 
 BENCHMARK_CAPTURE(vectorised, exclusive_beam, csht::ClutterModel::exclusive_beam, false);
 BENCHMARK_CAPTURE(vectorised, exclusive_beam_masked, csht::ClutterModel::exclusive_beam, true);
+BENCHMARK_CAPTURE(vectorised, exclusive_beam_at_the_end_of_the_range, csht::ClutterModel::exclusive_beam,
+                  false, 145.0);
 BENCHMARK_CAPTURE(vectorised, point_nine_returns, csht::ClutterModel::point, false);
 BENCHMARK_CAPTURE(plain_loop, exclusive_beam, csht::ClutterModel::exclusive_beam);
 BENCHMARK_CAPTURE(plain_loop, point_nine_returns, csht::ClutterModel::point);
