@@ -160,7 +160,7 @@ void SensorFigureEstimator::learn_echo(const ScanTable& scan, std::span<const Ei
                                        double seconds) {
   const double weight = 1.0 / static_cast<double>(samples.size());
   double echo = 0.0, silence = 0.0, lost = 0.0;
-  double residual = 0.0, squares = 0.0, range = 0.0, range_squares = 0.0;
+  double residual = 0.0, range = 0.0, range_squares = 0.0;
   for (const auto& sample : samples) {
     const Sighting sighting = sight(scan, sample, seconds);
     const double own = weight * sighting.echo;
@@ -168,7 +168,6 @@ void SensorFigureEstimator::learn_echo(const ScanTable& scan, std::span<const Ei
     silence += weight * sighting.silence;
     lost += weight * sighting.lost;
     residual += own * sighting.residual;
-    squares += own * sighting.residual * sighting.residual;
     range += own * sighting.range;
     range_squares += own * sighting.range * sighting.range;
   }
