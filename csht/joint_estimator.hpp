@@ -13,7 +13,9 @@ namespace lookout::csht {
 struct JointEstimatorParams {
   JointSearchParams search;  ///< The speed limit in it is the sensor's.
   SensorFigureParams figures;
-  SensorModelParams model;       ///< The clutter model in it follows the sensor.
+  /// The clutter model in it follows the sensor. Without the range gate: what may come in through the border
+  /// is reported later, and half as many false elements in an empty sea. docs/estimator.md.
+  SensorModelParams model{.range_gate = false};
   int window_scans = 20;         ///< Scans in a full window, >= 3. [Yan2018] W.
   int first_estimate_scans = 3;  ///< Scans before anything is reported, >= 1.
   /// How many independent looks (one a window's duration) the prior number of targets weighs, > 0: the

@@ -49,7 +49,8 @@ void set_beam_figures(const SensorFigures& figures, const SensorModelParams& mod
   for (std::size_t slot = 0; slot < table.range.size(); ++slot) {
     const bool silent = table.range[slot] < 0.0F;
     table.base[slot] = static_cast<float>(silent ? worth.silence : worth.foreign);
-    table.lost[slot] = static_cast<float>(silent ? worth.silence_lost : worth.foreign_lost);
+    const double lost = silent ? worth.silence_lost : worth.foreign_lost;
+    table.lost[slot] = model.range_gate ? static_cast<float>(lost) : 0.0F;
   }
   if (table.whole_circle) return;
   table.base.front() = table.base.back() = 1.0F;
@@ -57,12 +58,13 @@ void set_beam_figures(const SensorFigures& figures, const SensorModelParams& mod
 }
 
 // Clutter is uniform over range and bearing, as the false alarms of [Yan2018] V are.
-void set_point_figures(const SensorFigures& figures, ScanTable& table) {
+void set_point_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
   const double density = figures.clutter_per_scan / (table.max_range * table.num_beams * table.bearing_step);
   const double area = 2.0 * std::numbers::pi * figures.range_sigma * figures.bearing_sigma;
   table.gain = static_cast<float>((1.0 - figures.miss_probability) / (density * area));
   std::fill(table.base.begin(), table.base.end(), static_cast<float>(figures.miss_probability));
-  std::fill(table.lost.begin(), table.lost.end(), static_cast<float>(1.0 - figures.miss_probability));
+  const double lost = model.range_gate ? 1.0 - figures.miss_probability : 0.0;
+  std::fill(table.lost.begin(), table.lost.end(), static_cast<float>(lost));
   table.inverse_resolution = figures.resolution > 0.0 ? static_cast<float>(1.0 / figures.resolution) : 0.0F;
   table.inverse_bearing_sigma = static_cast<float>(1.0 / figures.bearing_sigma);
 }
@@ -126,7 +128,7 @@ void set_figures(const SensorFigures& figures, const SensorModelParams& model, S
   table.clutter = model.clutter;
   table.inverse_sigma = static_cast<float>(1.0 / figures.range_sigma);
   if (model.clutter == ClutterModel::point)
-    set_point_figures(figures, table);
+    set_point_figures(figures, model, table);
   else
     set_beam_figures(figures, model, table);
   set_blur(figures, table);

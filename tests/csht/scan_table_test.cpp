@@ -49,6 +49,23 @@ TEST(ScanTable, FiguresOfTheExclusiveBeam) {
   EXPECT_EQ(table.base.back(), 1.0F);
 }
 
+// Of a silence, and of an echo of something else, which says in an exclusive beam that no target is there.
+TEST(ScanTable, WhatSilenceGainsAtTheEndOfTheRangeGate) {
+  ScanTable table;
+  fill_scan_table(four_beams(), table);
+  SensorFigures figures;
+  figures.miss_probability = 0.2;
+  figures.false_alarm_probability = 0.5;
+  set_figures(figures, {}, table);
+  EXPECT_NEAR(table.lost[1], 0.8 / 0.5, 1e-6);
+  EXPECT_EQ(table.lost[2], 0.0F);
+  EXPECT_EQ(table.lost.front(), 0.0F);
+  set_figures(figures, {.range_gate = false}, table);
+  EXPECT_EQ(table.lost[1], 0.0F);
+  set_figures(figures, {.clutter = ClutterModel::point, .range_gate = false}, table);
+  EXPECT_EQ(table.lost[1], 0.0F);
+}
+
 TEST(ScanTable, AWholeCircleRepeatsTheBeamsAcrossTheSeam) {
   core::PosedScan posed = four_beams();
   posed.scan.bearing_step = core::radians(90.0);
