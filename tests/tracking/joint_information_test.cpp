@@ -5,20 +5,10 @@
 #include <cmath>
 
 #include "core/random.hpp"
-#include "csht/scan_history.hpp"
 #include "tests/tracking/sonar_scene.hpp"
 
 namespace lookout::tracking {
 namespace {
-
-csht::ScanHistory one_scan(double miss, double false_alarm) {
-  csht::SensorFigures figures;
-  figures.miss_probability = miss;
-  figures.false_alarm_probability = false_alarm;
-  csht::ScanHistory scans(figures, {}, 4);
-  scans.push(scan_of(0, {}));
-  return scans;
-}
 
 // a prototype's study lists 4.0, 2.1, 1.3, 1.1 nats on the diagonal, to the accuracy of their printing.
 TEST(NatsPerScan, OfTheDiagonal) {

@@ -2,20 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "csht/scan_history.hpp"
 #include "tests/tracking/sonar_scene.hpp"
 
 namespace lookout::tracking {
 namespace {
-
-csht::ScanHistory one_scan(double miss, double false_alarm) {
-  csht::SensorFigures figures;
-  figures.miss_probability = miss;
-  figures.false_alarm_probability = false_alarm;
-  csht::ScanHistory scans(figures, {}, 4);
-  scans.push(scan_of(0, {}));
-  return scans;
-}
 
 TEST(JointUnseen, FallsFromThePriorAndTheSettlingToWhatEnters) {
   const csht::ScanHistory scans = one_scan(0.3, 0.3);

@@ -6,6 +6,7 @@
 
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
+#include "csht/scan_history.hpp"
 
 namespace lookout::tracking {
 
@@ -23,6 +24,16 @@ inline core::PosedScan scan_of(int index, const std::vector<Eigen::Vector2d>& po
   for (const auto& point : points)
     posed.scan.returns.push_back({std::atan2(point.y(), point.x()), point.norm()});
   return posed;
+}
+
+/// One silent scan of a sonar with these figures.
+inline csht::ScanHistory one_scan(double miss, double false_alarm) {
+  csht::SensorFigures figures;
+  figures.miss_probability = miss;
+  figures.false_alarm_probability = false_alarm;
+  csht::ScanHistory scans(figures, {}, 4);
+  scans.push(scan_of(0, {}));
+  return scans;
 }
 
 }  // namespace lookout::tracking
