@@ -41,7 +41,8 @@ class JointLikelihood {
                   const csht::Tolerance& tolerance, int capacity, int max_owners,
                   const JointPrior& prior = JointPrior());
 
-  /// @param unseen targets in view before this scan that no track stands for, relative to those of the prior.
+  /// @param unseen targets that may stand anywhere in view before this scan, with no track, relative to those
+  /// of the prior.
   void push(const core::PosedScan& scan, double unseen = 1.0);
   const csht::ScanHistory& scans() const { return scans_; }
   /// ln of the targets that appear at the scan of this age, relative to those that stand there.

@@ -22,6 +22,14 @@ core::PosedScan four_beams() {
   return posed;
 }
 
+// The same scan with P_M = .2, P_F = .5 and sigma = 2 m.
+ScanTable with_figures(const SensorModelParams& model) {
+  ScanTable table;
+  fill_scan_table(four_beams(), table);
+  set_figures({.miss_probability = 0.2, .false_alarm_probability = 0.5, .range_sigma = 2.0}, model, table);
+  return table;
+}
+
 TEST(ScanTable, LaysEchoesOutByBeamWithASlotAtEitherEnd) {
   ScanTable table;
   EXPECT_EQ(fill_scan_table(four_beams(), table), 0);
@@ -35,13 +43,7 @@ TEST(ScanTable, LaysEchoesOutByBeamWithASlotAtEitherEnd) {
 
 // gain = (1 - P_M) / P_F x R / (sigma sqrt(2 pi)); silence = P_M / (1 - P_F). docs/estimator.md.
 TEST(ScanTable, FiguresOfTheExclusiveBeam) {
-  ScanTable table;
-  fill_scan_table(four_beams(), table);
-  SensorFigures figures;
-  figures.miss_probability = 0.2;
-  figures.false_alarm_probability = 0.5;
-  figures.range_sigma = 2.0;
-  set_figures(figures, {}, table);
+  const ScanTable table = with_figures({});
   EXPECT_NEAR(table.gain, 0.8 / 0.5 * 100.0 / (2.0 * std::sqrt(2.0 * std::numbers::pi)), 1e-4);
   EXPECT_NEAR(table.base[1], 0.2 / 0.5, 1e-6);
   EXPECT_NEAR(table.base[2], std::exp(-8.0), 1e-9);
@@ -51,19 +53,12 @@ TEST(ScanTable, FiguresOfTheExclusiveBeam) {
 
 // Of a silence, and of an echo of something else, which says in an exclusive beam that no target is there.
 TEST(ScanTable, WhatSilenceGainsAtTheEndOfTheRangeGate) {
-  ScanTable table;
-  fill_scan_table(four_beams(), table);
-  SensorFigures figures;
-  figures.miss_probability = 0.2;
-  figures.false_alarm_probability = 0.5;
-  set_figures(figures, {}, table);
+  const ScanTable table = with_figures({});
   EXPECT_NEAR(table.lost[1], 0.8 / 0.5, 1e-6);
   EXPECT_EQ(table.lost[2], 0.0F);
   EXPECT_EQ(table.lost.front(), 0.0F);
-  set_figures(figures, {.range_gate = false}, table);
-  EXPECT_EQ(table.lost[1], 0.0F);
-  set_figures(figures, {.clutter = ClutterModel::point, .range_gate = false}, table);
-  EXPECT_EQ(table.lost[1], 0.0F);
+  EXPECT_EQ(with_figures({.range_gate = false}).lost[1], 0.0F);
+  EXPECT_EQ(with_figures({.clutter = ClutterModel::point, .range_gate = false}).lost[1], 0.0F);
 }
 
 TEST(ScanTable, AWholeCircleRepeatsTheBeamsAcrossTheSeam) {

@@ -59,7 +59,6 @@ TEST(SensorFigures, ATargetThatHasNotBeenThereForLongTeachesNothing) {
 TEST(SensorFigures, EchoesLostBeyondTheRangeAreNoMisses) {
   const auto estimate = watch(testing::sonar(), 0, 3.0, 120, {{149.5, 1.0}, {0.0, 0.0}}).estimate();
   EXPECT_NEAR(estimate.miss_probability, 0.3, 0.15);  // Three sigma of 110 trials of which half tell little.
-  EXPECT_LT(estimate.miss_probability, 0.5);
 }
 
 TEST(SensorFigures, RightFiguresAreUsedAsGiven) {
