@@ -8,14 +8,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/parameter_check.hpp"
+
 namespace lookout::csht {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-void require(bool holds, const char* expected, double value) {
-  if (!holds) throw std::invalid_argument(std::string(expected) + ", got " + std::to_string(value));
-}
 
 /// ln of the density of the sample's range and bearing [1/(m rad)] given a target at p_earth, times 2 pi.
 /// Near the sonar the error across spans many beams: a pile of clutter there is weak evidence.
@@ -28,16 +26,17 @@ double log_echo_density(const WindowSample& sample, const Eigen::Vector2d& p_ear
 }  // namespace
 
 CountDecision::CountDecision(const CountDecisionParams& params) : params_(params) {
-  require(params.min_support > 0, "min_support must be > 0", params.min_support);
-  require(params.offered_support > 0, "offered_support must be > 0", params.offered_support);
-  require(params.relative_support >= 0.0 && params.relative_support <= 1.0,
-          "relative_support must be in [0, 1]", params.relative_support);
-  require(params.clutter_regulariser > 0.0, "clutter_regulariser must be > 0", params.clutter_regulariser);
-  require(params.foreign_echo <= 0.0, "foreign_echo must be <= 0", params.foreign_echo);
-  require(params.edge >= 0.0 && params.edge <= 0.5, "edge must be in [0, 0.5]", params.edge);
-  require(params.targets_in_view > 0.0, "targets_in_view must be > 0", params.targets_in_view);
-  require(params.prior_speed > 0.0, "prior_speed must be > 0", params.prior_speed);
-  require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
+  core::require(params.min_support > 0, "min_support must be > 0", params.min_support);
+  core::require(params.offered_support > 0, "offered_support must be > 0", params.offered_support);
+  core::require(params.relative_support >= 0.0 && params.relative_support <= 1.0,
+                "relative_support must be in [0, 1]", params.relative_support);
+  core::require(params.clutter_regulariser > 0.0, "clutter_regulariser must be > 0",
+                params.clutter_regulariser);
+  core::require(params.foreign_echo <= 0.0, "foreign_echo must be <= 0", params.foreign_echo);
+  core::require(params.edge >= 0.0 && params.edge <= 0.5, "edge must be in [0, 0.5]", params.edge);
+  core::require(params.targets_in_view > 0.0, "targets_in_view must be > 0", params.targets_in_view);
+  core::require(params.prior_speed > 0.0, "prior_speed must be > 0", params.prior_speed);
+  core::require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
 }
 
 void CountDecision::prepare(const HoughWindow& window) {

@@ -3,23 +3,20 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/parameter_check.hpp"
 #include "csht/elements.hpp"
 
 namespace lookout::csht {
 namespace {
 
-void require(bool holds, const char* expected, double value) {
-  if (!holds) throw std::invalid_argument(std::string(expected) + ", got " + std::to_string(value));
-}
-
 CshtParams completed(CshtParams params, const core::SonarParams& sonar) {
-  require(params.window_scans >= 3 && params.window_scans <= kMaxWindowScans, "window_scans must be 3 to 100",
-          params.window_scans);
-  require(params.first_estimate_scans >= 1 && params.first_estimate_scans <= params.window_scans,
-          "first_estimate_scans must be 1 to window_scans", params.first_estimate_scans);
-  require(params.passes > 0, "passes must be > 0", params.passes);
-  require(params.top_speed > 0.0, "top_speed must be > 0", params.top_speed);
-  require(params.speed_prior >= 0.0, "speed_prior must be >= 0", params.speed_prior);
+  core::require(params.window_scans >= 3 && params.window_scans <= kMaxWindowScans,
+                "window_scans must be 3 to 100", params.window_scans);
+  core::require(params.first_estimate_scans >= 1 && params.first_estimate_scans <= params.window_scans,
+                "first_estimate_scans must be 1 to window_scans", params.first_estimate_scans);
+  core::require(params.passes > 0, "passes must be > 0", params.passes);
+  core::require(params.top_speed > 0.0, "top_speed must be > 0", params.top_speed);
+  core::require(params.speed_prior >= 0.0, "speed_prior must be >= 0", params.speed_prior);
   params.refit.max_speed = params.top_speed * sonar.max_speed;
   params.refit.velocity_sigma = params.speed_prior * sonar.max_speed;
   params.decision.prior_speed = sonar.max_speed;

@@ -4,11 +4,11 @@
 #include <stdexcept>
 
 #include "core/yaml_reader.hpp"
+#include "csht/baselines/csht_printed_estimator.hpp"
+#include "csht/baselines/ransac_estimator.hpp"
+#include "csht/baselines/sht_estimator.hpp"
 #include "csht/csht_estimator.hpp"
-#include "csht/csht_printed_estimator.hpp"
-#include "csht/joint_estimator.hpp"
-#include "csht/ransac_estimator.hpp"
-#include "csht/sht_estimator.hpp"
+#include "csht/joint/joint_estimator.hpp"
 
 namespace lookout::csht {
 namespace {

@@ -4,15 +4,15 @@
 #include <string>
 #include <vector>
 
-#include "fusion/central_kalman_fusion.hpp"
 #include "fusion/fusion_clock.hpp"
 #include "fusion/global_tracks.hpp"
 #include "fusion/learned_geometry.hpp"
-#include "fusion/local_estimate.hpp"
+#include "fusion/estimate_limits.hpp"
 #include "fusion/local_track_store.hpp"
-#include "fusion/support_degree_fusion.hpp"
+#include "fusion/methods/central_kalman_fusion.hpp"
+#include "fusion/methods/support_degree_fusion.hpp"
 #include "fusion/track_association.hpp"
-#include "tracking/local_estimate_sender.hpp"
+#include "tracking/node/local_estimate_sender.hpp"
 
 namespace lookout::core {
 class YamlMap;

@@ -1,9 +1,9 @@
 #include <functional>
 #include <stdexcept>
 
-#include "fusion/covariance_fusion.hpp"
 #include "fusion/fusion_params.hpp"
-#include "fusion/mutual_support_fusion.hpp"
+#include "fusion/methods/covariance_fusion.hpp"
+#include "fusion/methods/mutual_support_fusion.hpp"
 
 namespace lookout::fusion {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "core/frames.hpp"
 #include "fusion/constant_velocity.hpp"
-#include "fusion/local_estimate.hpp"
+#include "fusion/estimate_limits.hpp"
 
 namespace lookout::fusion {
 

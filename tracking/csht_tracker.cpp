@@ -5,7 +5,7 @@
 #include "core/field_of_view.hpp"
 #include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
-#include "tracking/management/proposed_births.hpp"
+#include "tracking/initiation/proposed_births.hpp"
 
 namespace lookout::tracking {
 

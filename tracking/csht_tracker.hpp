@@ -8,7 +8,7 @@
 #include "csht/motion_estimator.hpp"
 #include "tracking/association/global_nearest_neighbour.hpp"
 #include "tracking/association/track_to_element.hpp"
-#include "tracking/birth.hpp"
+#include "tracking/initiation/birth_method.hpp"
 #include "tracking/management/trajectory_book.hpp"
 #include "tracking/smoothing/manoeuvre_detector.hpp"
 #include "tracking/smoothing/window_smoother.hpp"

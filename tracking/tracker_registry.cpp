@@ -3,12 +3,12 @@
 #include <stdexcept>
 
 #include "core/yaml_reader.hpp"
+#include "tracking/baselines/gnn_tracker.hpp"
+#include "tracking/baselines/kalman_tracker.hpp"
 #include "tracking/csht_tracker.hpp"
-#include "tracking/gnn_tracker.hpp"
 #include "tracking/initiation/initiator_birth.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
-#include "tracking/joint_tracker.hpp"
-#include "tracking/kalman_tracker.hpp"
+#include "tracking/joint/joint_tracker.hpp"
 
 namespace lookout::tracking {
 namespace {

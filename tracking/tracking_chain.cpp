@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "core/field_of_view.hpp"
-#include "tracking/ping_checks.hpp"
+#include "tracking/intake/ping_checks.hpp"
 
 namespace lookout::tracking {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/sonar_params.hpp"
-#include "tracking/scan_intake.hpp"
+#include "tracking/intake/scan_intake.hpp"
 #include "tracking/tracker.hpp"
 
 namespace lookout::tracking {

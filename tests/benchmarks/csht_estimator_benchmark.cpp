@@ -4,7 +4,7 @@
 
 #include "csht/csht_estimator.hpp"
 #include "sonar_sim/scene.hpp"
-#include "tools/experiments/simulated_run.hpp"
+#include "tools/experiments/harness/simulated_run.hpp"
 
 namespace lookout::tools {
 namespace {

@@ -2,7 +2,7 @@
 // clutter.
 #include <benchmark/benchmark.h>
 
-#include "tools/experiments/initiation_scene.hpp"
+#include "tools/experiments/initiation/initiation_scene.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 
 namespace lookout::tools {

@@ -8,7 +8,7 @@
 
 #include "csht/estimator_registry.hpp"
 #include "sonar_sim/scene.hpp"
-#include "tools/experiments/simulated_run.hpp"
+#include "tools/experiments/harness/simulated_run.hpp"
 
 namespace {
 

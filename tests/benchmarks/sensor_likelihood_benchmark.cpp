@@ -2,7 +2,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/random.hpp"
-#include "csht/sensor_likelihood.hpp"
+#include "csht/likelihood/sensor_likelihood.hpp"
 
 namespace {
 

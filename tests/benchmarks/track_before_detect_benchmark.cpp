@@ -5,8 +5,8 @@
 
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tests/tracking/track_before_detect/frame_maker.hpp"
-#include "tracking/track_before_detect/h_pmht.hpp"
-#include "tracking/track_before_detect/image_tracker.hpp"
+#include "tracking/track_before_detect/frames/h_pmht.hpp"
+#include "tracking/track_before_detect/images/image_tracker.hpp"
 
 namespace lookout::tracking {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "tools/experiments/simulated_run.hpp"
-#include "tools/thread_time.hpp"
+#include "tools/cli/thread_time.hpp"
+#include "tools/experiments/harness/simulated_run.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace {

@@ -5,8 +5,8 @@
 #include <array>
 #include <filesystem>
 
-#include "tests/reading.hpp"
-#include "tests/temporary_directory.hpp"
+#include "tests/support/reading.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::core {
 namespace {

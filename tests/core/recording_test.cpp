@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/input_error.hpp"
-#include "tests/temporary_directory.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::core {
 namespace {

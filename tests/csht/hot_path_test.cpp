@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "csht/estimator_registry.hpp"
-#include "tests/allocation_counter.hpp"
 #include "tests/csht/straight_scene.hpp"
+#include "tests/support/allocation_counter.hpp"
 
 namespace lookout::csht {
 namespace {

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 
 #include "fusion/constant_velocity.hpp"
-#include "fusion/maximum_likelihood_fusion.hpp"
+#include "fusion/methods/maximum_likelihood_fusion.hpp"
 #include "tests/fusion/test_nodes.hpp"
 
 /// Nodes that send covariances, for the methods that need them.

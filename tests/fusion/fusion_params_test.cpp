@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/reading.hpp"
+#include "tests/support/reading.hpp"
 
 namespace lookout::fusion {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "core/frames.hpp"
 #include "fusion/fusion_method.hpp"
-#include "fusion/local_estimate.hpp"
+#include "fusion/estimate_limits.hpp"
 
 /// Small scenes for the tests of fusion.
 namespace lookout::fusion::testing {

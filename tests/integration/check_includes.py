@@ -2,7 +2,8 @@
 """Checks that includes go one way: core <- csht <- tracking <- fusion; core <- sonar_sim; core <- lcmtypes.
 
 Nodes may also include lcmtypes; tools and tests anything; LCM's own headers stand in lcmtypes and nodes alone.
-Prints one line a breach and exits 1 where there is one.
+The inner walls stand in INNER_WALLS: within each list a folder may include itself, what stands before it and
+folders that the list does not name. Prints one line a breach and exits 1 where there is one.
 """
 import pathlib
 import re
@@ -17,8 +18,33 @@ ALLOWED = {
     "tracking": {"core", "csht", "tracking"},
     "fusion": {"core", "csht", "tracking", "fusion"},
 }
+# Rooms of one house, each list from the first that may be included by all to the last that may include all.
+INNER_WALLS = [
+    ["csht/likelihood", "csht/joint"],
+    ["csht/joint/density", "csht/joint/evidence", "csht/joint"],
+    ["tracking/initiation/plots", "tracking/initiation/lines", "tracking/initiation/methods"],
+    ["tools/cli", "tools/experiments/harness", "tools/experiments"],
+]
 CORE_HEADER_LIBRARIES = re.compile(r"^(Eigen/|[a-z_]+$)")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+
+
+def room_of(path, wall):
+    """The number of the innermost room of a wall that holds the path; None outside."""
+    rooms = [(len(room), number) for number, room in enumerate(wall) if path.startswith(room + "/")]
+    return max(rooms)[1] if rooms else None
+
+
+def inner_breaches(path):
+    name = str(path.relative_to(ROOT))
+    for number, line in enumerate(path.read_text().splitlines(), 1):
+        match = INCLUDE.match(line)
+        if not match or match.group(1) != '"':
+            continue
+        for wall in INNER_WALLS:
+            own, other = room_of(name, wall), room_of(match.group(2), wall)
+            if own is not None and other is not None and other > own:
+                yield f"{name}:{number}: {wall[own]} may not include {match.group(2)}"
 
 
 def breaches(path):
@@ -44,6 +70,12 @@ def main():
         for folder in ALLOWED
         for path in sorted((ROOT / folder).rglob("*.[ch]pp"))
         for breach in breaches(path)
+    ]
+    found += [
+        breach
+        for folder in [*ALLOWED, "tools"]
+        for path in sorted((ROOT / folder).rglob("*.[ch]pp"))
+        for breach in inner_breaches(path)
     ]
     print("\n".join(found) or "include direction: no breach")
     return 1 if found else 0

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/integration/program.hpp"
-#include "tests/temporary_directory.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::tests {
 namespace {

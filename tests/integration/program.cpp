@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/temporary_directory.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::tests {
 

@@ -4,7 +4,7 @@
 #include <filesystem>
 
 #include "tests/integration/program.hpp"
-#include "tests/temporary_directory.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::tests {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "core/input_error.hpp"
 #include "tests/lcmtypes/example_messages.hpp"
-#include "tests/temporary_directory.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::lcmtypes {
 namespace {

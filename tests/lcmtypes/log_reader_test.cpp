@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "core/input_error.hpp"
-#include "tests/temporary_directory.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::lcmtypes {
 namespace {

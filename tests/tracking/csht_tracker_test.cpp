@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "tests/tracking/sonar_scene.hpp"
+#include "tests/support/sonar_scene.hpp"
 
 namespace lookout::tracking {
 namespace {

@@ -3,8 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "core/random.hpp"
-#include "tests/allocation_counter.hpp"
-#include "tests/tracking/sonar_scene.hpp"
+#include "tests/support/allocation_counter.hpp"
+#include "tests/support/sonar_scene.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tracking {

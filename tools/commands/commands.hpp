@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tools/options.hpp"
+#include "tools/cli/options.hpp"
 
 /// One function a command, each in a file of its own. They return the exit status, throw core::InputError on
 /// bad input (status 2), and write data to files and stdout, messages to stderr.

@@ -1,12 +1,12 @@
 #include <iostream>
 
 #include "core/input_error.hpp"
+#include "tools/cli/log.hpp"
+#include "tools/cli/paths.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/experiments/experiment_registry.hpp"
-#include "tools/experiments/monte_carlo.hpp"
-#include "tools/experiments/report.hpp"
-#include "tools/log.hpp"
-#include "tools/paths.hpp"
+#include "tools/experiments/harness/monte_carlo.hpp"
+#include "tools/experiments/harness/report.hpp"
 
 namespace lookout::tools {
 namespace {

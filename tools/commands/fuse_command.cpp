@@ -2,10 +2,10 @@
 
 #include "core/input_error.hpp"
 #include "fusion/fusion_node.hpp"
+#include "tools/cli/configuration.hpp"
+#include "tools/cli/live.hpp"
+#include "tools/cli/log.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/configuration.hpp"
-#include "tools/live.hpp"
-#include "tools/log.hpp"
 
 namespace lookout::tools {
 namespace {

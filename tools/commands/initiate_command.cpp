@@ -4,9 +4,9 @@
 
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
+#include "tools/cli/configuration.hpp"
+#include "tools/cli/log.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/configuration.hpp"
-#include "tools/log.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 #include "tracking/initiation/sliding_initiator.hpp"
 

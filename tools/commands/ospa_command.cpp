@@ -8,8 +8,8 @@
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
 #include "core/recording.hpp"
+#include "tools/cli/scoring.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/scoring.hpp"
 
 namespace lookout::tools {
 namespace {

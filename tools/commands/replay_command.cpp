@@ -2,12 +2,12 @@
 
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
+#include "tools/cli/log.hpp"
+#include "tools/cli/paths.hpp"
+#include "tools/cli/replay_log.hpp"
+#include "tools/cli/scoring.hpp"
+#include "tools/cli/tracked_run.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/log.hpp"
-#include "tools/paths.hpp"
-#include "tools/replay_log.hpp"
-#include "tools/scoring.hpp"
-#include "tools/tracked_run.hpp"
 
 namespace lookout::tools {
 namespace {

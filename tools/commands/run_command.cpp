@@ -1,10 +1,10 @@
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
+#include "tools/cli/paths.hpp"
+#include "tools/cli/progress_bar.hpp"
+#include "tools/cli/scoring.hpp"
+#include "tools/cli/tracked_run.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/paths.hpp"
-#include "tools/progress_bar.hpp"
-#include "tools/scoring.hpp"
-#include "tools/tracked_run.hpp"
 
 namespace lookout::tools {
 namespace {

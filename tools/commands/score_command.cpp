@@ -1,9 +1,9 @@
 #include <iostream>
 
+#include "tools/cli/live.hpp"
+#include "tools/cli/log.hpp"
+#include "tools/cli/scoring.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/live.hpp"
-#include "tools/log.hpp"
-#include "tools/scoring.hpp"
 #include "tracking/metrics/score_node.hpp"
 
 namespace lookout::tools {

@@ -2,9 +2,9 @@
 
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator_node.hpp"
+#include "tools/cli/live.hpp"
+#include "tools/cli/log.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/live.hpp"
-#include "tools/log.hpp"
 
 namespace lookout::tools {
 namespace {

@@ -7,12 +7,12 @@
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
 #include "core/random.hpp"
+#include "tools/cli/configuration.hpp"
+#include "tools/cli/pgm.hpp"
+#include "tools/cli/progress_bar.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/configuration.hpp"
-#include "tools/pgm.hpp"
-#include "tools/progress_bar.hpp"
-#include "tracking/track_before_detect/frame_preparation.hpp"
-#include "tracking/track_before_detect/sequence_tracker.hpp"
+#include "tracking/track_before_detect/frames/frame_preparation.hpp"
+#include "tracking/track_before_detect/frames/sequence_tracker.hpp"
 
 namespace lookout::tools {
 namespace {

@@ -1,12 +1,12 @@
 #include "core/csv.hpp"
 #include "core/estimator_names.hpp"
+#include "tools/cli/configuration.hpp"
+#include "tools/cli/live.hpp"
+#include "tools/cli/log.hpp"
+#include "tools/cli/tracking_chain.hpp"
 #include "tools/commands/commands.hpp"
-#include "tools/configuration.hpp"
-#include "tools/live.hpp"
-#include "tools/log.hpp"
-#include "tools/tracking_chain.hpp"
-#include "tracking/track_before_detect/image_tracker_node.hpp"
-#include "tracking/tracker_node.hpp"
+#include "tracking/node/tracker_node.hpp"
+#include "tracking/track_before_detect/images/image_tracker_node.hpp"
 
 namespace lookout::tools {
 namespace {

@@ -3,18 +3,18 @@
 #include <array>
 
 #include "core/input_error.hpp"
-#include "tools/experiments/agfht_experiments.hpp"
-#include "tools/experiments/csht_tracking.hpp"
-#include "tools/experiments/csht_window.hpp"
-#include "tools/experiments/hpmht_sonar.hpp"
-#include "tools/experiments/hpmht_video.hpp"
-#include "tools/experiments/limits.hpp"
-#include "tools/experiments/manoeuvres.hpp"
-#include "tools/experiments/nht_experiments.hpp"
-#include "tools/experiments/recordings.hpp"
-#include "tools/experiments/sonar_births.hpp"
-#include "tools/experiments/t2gt.hpp"
-#include "tools/experiments/two_uuv.hpp"
+#include "tools/experiments/fusion/t2gt.hpp"
+#include "tools/experiments/fusion/two_uuv.hpp"
+#include "tools/experiments/initiation/agfht_experiments.hpp"
+#include "tools/experiments/initiation/nht_experiments.hpp"
+#include "tools/experiments/initiation/sonar_births.hpp"
+#include "tools/experiments/track_before_detect/hpmht_sonar.hpp"
+#include "tools/experiments/track_before_detect/hpmht_video.hpp"
+#include "tools/experiments/tracking/csht_tracking.hpp"
+#include "tools/experiments/tracking/limits.hpp"
+#include "tools/experiments/tracking/manoeuvres.hpp"
+#include "tools/experiments/tracking/recordings.hpp"
+#include "tools/experiments/window/csht_window.hpp"
 
 namespace lookout::tools {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "tools/experiments/experiment.hpp"
+#include "tools/experiments/harness/experiment.hpp"
 
 namespace lookout::tools {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "csht/peak_extraction.hpp"
-#include "tracking/initiation/plot_window.hpp"
+#include "tracking/initiation/lines/peak_extraction.hpp"
+#include "tracking/initiation/plots/plot_window.hpp"
 
 namespace lookout::tracking {
 
@@ -14,7 +14,7 @@ namespace lookout::tracking {
 struct StartedTrack {
   Eigen::Vector4d state{0, 0, 0, 0};  ///< Position [m] and velocity [m/s] along both axes at `last_time`.
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`, SI.
-  csht::NormalLine line;    ///< The straight line that the method found (refitted where it looks for none).
+  NormalLine line;          ///< The straight line that the method found (refitted where it looks for none).
   double score = 0.0;       ///< The method's own ranking, larger is better.
   int first_scan = 0;       ///< Scan of its oldest plot.
   int last_scan = 0;        ///< Scan of its newest plot.
@@ -60,9 +60,9 @@ class Initiator {
 /// An initiator that looks for peaks over a grid of lines, and shows the votes of the last `start`.
 class HoughInitiator : public Initiator {
  public:
-  virtual const csht::LineGrid& grid() const = 0;
+  virtual const LineGrid& grid() const = 0;
   /// All cells that hold votes, appended to `cells`; several layers of one cell stand one by one.
-  virtual void append_cells(std::vector<csht::LineVote>& cells) const = 0;
+  virtual void append_cells(std::vector<LineVote>& cells) const = 0;
   /// Where the origin of `grid` lies in the frame of the plots [m].
   virtual Eigen::Vector2d grid_origin() const { return {0, 0}; }
 };

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/sonar_params.hpp"
-#include "tracking/birth.hpp"
+#include "tracking/initiation/birth_method.hpp"
 #include "tracking/initiation/initiator_config.hpp"
 #include "tracking/initiation/sliding_initiator.hpp"
 #include "tracking/initiation/sonar_plots.hpp"

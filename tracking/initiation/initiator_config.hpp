@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "tracking/initiation/gates.hpp"
+#include "tracking/initiation/plots/gates.hpp"
 
 namespace lookout::core {
 class YamlMap;

@@ -2,17 +2,17 @@
 
 #include <stdexcept>
 
-#include "tracking/initiation/ag_fht.hpp"
-#include "tracking/initiation/fpht.hpp"
-#include "tracking/initiation/ht.hpp"
-#include "tracking/initiation/iht_ti.hpp"
-#include "tracking/initiation/mht_ti.hpp"
-#include "tracking/initiation/modified_ht.hpp"
-#include "tracking/initiation/modified_logic.hpp"
-#include "tracking/initiation/nht_plus.hpp"
-#include "tracking/initiation/nht_ti.hpp"
-#include "tracking/initiation/sequence_ht.hpp"
-#include "tracking/initiation/vct.hpp"
+#include "tracking/initiation/methods/ag_fht.hpp"
+#include "tracking/initiation/methods/fpht.hpp"
+#include "tracking/initiation/methods/ht.hpp"
+#include "tracking/initiation/methods/iht_ti.hpp"
+#include "tracking/initiation/methods/mht_ti.hpp"
+#include "tracking/initiation/methods/modified_ht.hpp"
+#include "tracking/initiation/methods/modified_logic.hpp"
+#include "tracking/initiation/methods/nht_plus.hpp"
+#include "tracking/initiation/methods/nht_ti.hpp"
+#include "tracking/initiation/methods/sequence_ht.hpp"
+#include "tracking/initiation/methods/vct.hpp"
 
 namespace lookout::tracking {
 namespace {

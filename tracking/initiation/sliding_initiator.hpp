@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tracking/initiation/initiator.hpp"
-#include "tracking/initiation/track_fit.hpp"
+#include "tracking/initiation/plots/track_fit.hpp"
 
 namespace lookout::tracking {
 

@@ -6,7 +6,7 @@
 #include "core/detection.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
-#include "tracking/initiation/plot_window.hpp"
+#include "tracking/initiation/plots/plot_window.hpp"
 
 namespace lookout::tracking {
 

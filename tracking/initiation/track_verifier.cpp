@@ -7,7 +7,7 @@
 #include <string>
 
 #include "tracking/association/gating.hpp"
-#include "tracking/initiation/false_chains.hpp"
+#include "tracking/initiation/plots/false_chains.hpp"
 
 namespace lookout::tracking {
 namespace {

@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "tracking/initiation/gates.hpp"
 #include "tracking/initiation/initiator.hpp"
-#include "tracking/initiation/track_fit.hpp"
+#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/track_fit.hpp"
 
 namespace lookout::tracking {
 

@@ -5,7 +5,7 @@
 #include <Eigen/LU>
 #include <numbers>
 
-#include "tests/reading.hpp"
+#include "tests/support/reading.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 
 namespace lookout::tracking {

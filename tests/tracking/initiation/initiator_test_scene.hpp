@@ -7,7 +7,7 @@
 #include "core/random.hpp"
 #include "tracking/initiation/initiator.hpp"
 #include "tracking/initiation/initiator_config.hpp"
-#include "tracking/initiation/plot_window.hpp"
+#include "tracking/initiation/plots/plot_window.hpp"
 
 namespace lookout::tracking::test {
 
@@ -68,10 +68,10 @@ struct Votes {
   double sum = 0.0;
 };
 inline Votes votes_of(const Initiator& method) {
-  std::vector<csht::LineVote> cells;
+  std::vector<LineVote> cells;
   dynamic_cast<const HoughInitiator&>(method).append_cells(cells);
   Votes votes;
-  for (const csht::LineVote& cell : cells) {
+  for (const LineVote& cell : cells) {
     votes.highest = std::max(votes.highest, cell.value);
     votes.sum += cell.value;
   }

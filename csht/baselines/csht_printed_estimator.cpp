@@ -1,0 +1,125 @@
+#include "csht/baselines/csht_printed_estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "csht/candidate.hpp"
+#include "csht/elements.hpp"
+
+namespace lookout::csht {
+namespace {
+
+/// The paper's votes: a whole one in the cell that holds the intercept, every sample for itself.
+VoteParams plain_votes() {
+  VoteParams votes;
+  votes.fuzzy = false;
+  votes.one_vote_a_scan = false;
+  return votes;
+}
+
+HoughSpace make_space(const CshtPrintedParams& params, const core::SonarParams& sonar) {
+  const double window = (params.window_scans - 1) * sonar.scan_period;
+  const HoughGrid grid{params.velocity_step, params.intercept_step, sonar.max_speed,
+                       2.0 * sonar.max_range + 4.0 * sonar.max_speed * window};
+  return {grid, plain_votes(), sonar.range_sigma, sonar.range_sigma};
+}
+
+const CshtPrintedParams& validated(const CshtPrintedParams& params) {
+  if (params.window_scans < 3 || params.window_scans > kMaxWindowScans)
+    throw std::invalid_argument("window_scans must be 3 to 100, got " + std::to_string(params.window_scans));
+  if (params.first_classes < 1)
+    throw std::invalid_argument("first_classes must be > 0, got " + std::to_string(params.first_classes));
+  return params;
+}
+
+}  // namespace
+
+CshtPrintedEstimator::CshtPrintedEstimator(const CshtPrintedParams& params, const core::SonarParams& sonar)
+    : params_(validated(params)),
+      window_(params.window_scans, sonar, 0.0),
+      north_votes_(make_space(params, sonar)),
+      isodata_(params.isodata),
+      east_line_(params.single_line, make_space(params, sonar)) {}
+
+std::span<const core::MotionElement> CshtPrintedEstimator::update(const core::PosedScan& scan) {
+  window_.add(scan);
+  north_votes_.remove(window_.forgotten_lines(0));
+  north_votes_.add(window_.newest_lines(0));
+  elements_.clear();
+  if (static_cast<int>(window_.scans().size()) < params_.first_estimate_scans) return elements_;
+  keep_cells();
+  spread_first_classes();
+  correlate(isodata_.cluster(points_, first_));
+  return elements_;
+}
+
+// [Yan2018] Eq. (17)-(20); intercepts at the start of the window.
+void CshtPrintedEstimator::keep_cells() {
+  const auto& first_scan = window_.scans().front();
+  const double threshold = primary_threshold(params_.threshold, north_votes_.statistics());
+  north_votes_.cells_above(threshold, first_scan.time, first_scan.T_earth_sonar.north, cells_);
+  points_.clear();
+  for (const auto& cell : cells_)
+    points_.push_back({static_cast<float>(cell.velocity), static_cast<float>(cell.intercept)},
+                      static_cast<float>(cell.votes));
+  points_.pad();
+}
+
+/// Evenly from the smallest features to the largest: the paper does not say where the classes start.
+void CshtPrintedEstimator::spread_first_classes() {
+  first_.clear();
+  if (cells_.empty()) return;
+  auto [low_v, high_v] = std::minmax_element(
+      cells_.begin(), cells_.end(), [](const auto& a, const auto& b) { return a.velocity < b.velocity; });
+  auto [low_n, high_n] = std::minmax_element(
+      cells_.begin(), cells_.end(), [](const auto& a, const auto& b) { return a.intercept < b.intercept; });
+  for (int k = 0; k < params_.first_classes; ++k) {
+    const double share = (k + 0.5) / params_.first_classes;
+    first_.push_back({static_cast<float>(std::lerp(low_v->velocity, high_v->velocity, share)),
+                      static_cast<float>(std::lerp(low_n->intercept, high_n->intercept, share))});
+  }
+}
+
+// [Yan2018] Eq. (41), every sample to the class whose north line is nearest, at the sample's own time.
+void CshtPrintedEstimator::correlate(std::span<const FeaturePoint> classes) {
+  const double start = window_.scans().front().time;
+  const auto north = window_.lines(0), east = window_.lines(1);
+  class_of_.assign(north.size(), 0);
+  for (std::size_t k = 0; k < north.size(); ++k) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < classes.size(); ++c) {
+      const double predicted =
+          static_cast<double>(classes[c].y) + static_cast<double>(classes[c].x) * (north[k].time - start);
+      if (std::abs(north[k].position - predicted) >= nearest) continue;
+      nearest = std::abs(north[k].position - predicted);
+      class_of_[k] = static_cast<int>(c);
+    }
+  }
+  for (std::size_t c = 0; c < classes.size(); ++c) {
+    east_samples_.clear();
+    for (std::size_t k = 0; k < east.size(); ++k)
+      if (class_of_[k] == static_cast<int>(c)) east_samples_.push_back(east[k]);
+    const auto line = east_line_.extract(east_samples_, start, window_.scans().front().T_earth_sonar.east);
+    if (line) report({static_cast<double>(classes[c].x), static_cast<double>(classes[c].y)}, *line);
+  }
+}
+
+/// The covariance is that of a cell and of the classes' width in the vote matrix: the method has no other.
+void CshtPrintedEstimator::report(const Line& north, const Line& east) {
+  const HoughGrid& grid = north_votes_.grid();
+  const double sigma = window_.sonar().range_sigma;
+  const double window = window_.scans().back().time - window_.scans().front().time;
+  Candidate target;
+  target.state << north.intercept, east.intercept, north.velocity, east.velocity;
+  const double position = (grid.intercept_step * grid.intercept_step) / 12.0 + sigma * sigma;
+  const double velocity =
+      (grid.velocity_step * grid.velocity_step) / 12.0 + sigma * sigma / (window * window);
+  target.covariance.diagonal() << position, position, velocity, velocity;
+  target.support = static_cast<int>(east_samples_.size());
+  elements_.push_back(to_element(target, window_, window_.scans().front().time));
+}
+
+}  // namespace lookout::csht

@@ -1,0 +1,83 @@
+#include "csht/baselines/sht_estimator.hpp"
+
+#include <stdexcept>
+#include <string>
+
+#include "csht/candidate.hpp"
+#include "csht/elements.hpp"
+
+namespace lookout::csht {
+namespace {
+
+HoughSpace make_space(const ShtParams& params, const core::SonarParams& sonar) {
+  CshtParams csht = CshtParams::window();
+  csht.window_scans = params.window_scans;
+  VoteParams votes;
+  votes.fuzzy = false;
+  votes.one_vote_a_scan = false;
+  return {csht_grid(csht, sonar), votes, sonar.range_sigma, sonar.range_sigma};
+}
+
+const ShtParams& validated(const ShtParams& params) {
+  if (params.window_scans < 3 || params.window_scans > kMaxWindowScans)
+    throw std::invalid_argument("window_scans must be 3 to 100, got " + std::to_string(params.window_scans));
+  if (!(params.threshold > 0.0 && params.threshold < 1.0))
+    throw std::invalid_argument("threshold must be in (0, 1), got " + std::to_string(params.threshold));
+  if (!(params.apart >= 0.0))
+    throw std::invalid_argument("apart must be >= 0, got " + std::to_string(params.apart));
+  if (params.max_targets < 1)
+    throw std::invalid_argument("max_targets must be > 0, got " + std::to_string(params.max_targets));
+  return params;
+}
+
+SpatialCorrelationParams strongest_line() {
+  SpatialCorrelationParams params;
+  params.max_lines = 1;
+  return params;
+}
+
+}  // namespace
+
+ShtEstimator::ShtEstimator(const ShtParams& params, const core::SonarParams& sonar)
+    : params_(validated(params)),
+      window_(params.window_scans, sonar, 0.0),
+      north_votes_(make_space(params, sonar)),
+      correlation_(strongest_line(), sonar.range_sigma, SingleLine({}, make_space(params, sonar))) {}
+
+std::span<const core::MotionElement> ShtEstimator::update(const core::PosedScan& scan) {
+  window_.add(scan);
+  north_votes_.remove(window_.forgotten_lines(0));
+  north_votes_.add(window_.newest_lines(0));
+  elements_.clear();
+  if (static_cast<int>(window_.scans().size()) < params_.first_estimate_scans) return elements_;
+  epoch_ = window_.centre_time();
+  find_peaks();
+  for (const auto& peak : peaks_) report(peak);
+  return elements_;
+}
+
+void ShtEstimator::find_peaks() {
+  const double threshold = params_.threshold * north_votes_.statistics().peak;
+  north_votes_.cells_above(threshold, epoch_, window_.scans().back().T_earth_sonar.north, cells_);
+  sort_by_votes(cells_);
+  strongest_apart(cells_, north_votes_.grid(), params_.apart, params_.max_targets, peaks_);
+}
+
+/// The covariance is that of a cell, and of one sample about the line: the method has no other.
+void ShtEstimator::report(const VoteCell& peak) {
+  const Line north{peak.velocity, peak.intercept};
+  const auto lines = correlation_.second_lines(north, window_.lines(0), window_.lines(1), epoch_,
+                                               window_.scans().back().T_earth_sonar.east);
+  if (lines.empty()) return;
+  const HoughGrid& grid = north_votes_.grid();
+  Candidate target;
+  target.state << north.intercept, lines.front().intercept, north.velocity, lines.front().velocity;
+  const double position = grid.intercept_step * grid.intercept_step;
+  const double velocity = grid.velocity_step * grid.velocity_step;
+  target.covariance.diagonal() << position, position, velocity, velocity;
+  target.log_evidence = peak.votes;
+  target.support = static_cast<int>(peak.votes);
+  elements_.push_back(to_element(target, window_, epoch_));
+}
+
+}  // namespace lookout::csht

@@ -1,0 +1,271 @@
+#include "csht/joint/pair_seeds.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "csht/joint/evidence/memory_span.hpp"
+#include "csht/joint/evidence/scan_information.hpp"
+
+namespace lookout::csht {
+namespace {
+
+// A single line is scored fairly only when neighbouring beams are mixed in proportion to nearness.
+constexpr Tolerance kSeedTolerance{1.0, 0.5};
+constexpr double kMembershipGate = 16.0;  // Squared normalised distance beyond which no echo is a member.
+constexpr double kWeakPosition = 1e4;     // Variance of the prior on position [m^2]: keeps the fit solvable.
+constexpr std::size_t kReserve = 8192;    // Pairs for which memory is kept from the start.
+
+}  // namespace
+
+// An echo at `position` seen `seconds` from the newest scan, its line of sight at `azimuth`.
+void LineFit::add(const Eigen::Vector2d& position, double seconds, double azimuth, double range_variance,
+                  double cross_variance, double membership) {
+  const Eigen::Vector2d along(std::cos(azimuth), std::sin(azimuth));
+  const Eigen::Vector2d across(-along.y(), along.x());
+  const Eigen::Matrix2d inverse = membership * (along * along.transpose() / range_variance +
+                                                across * across.transpose() / cross_variance);
+  information.topLeftCorner<2, 2>() += inverse;
+  information.topRightCorner<2, 2>() += seconds * inverse;
+  information.bottomLeftCorner<2, 2>() += seconds * inverse;
+  information.bottomRightCorner<2, 2>() += seconds * seconds * inverse;
+  const Eigen::Vector2d pull = inverse * position;
+  weighted.head<2>() += pull;
+  weighted.tail<2>() += seconds * pull;
+}
+
+int birth_window(const ScanHistory& scans, const BirthParams& params) {
+  const double nats = std::max(nats_per_scan(scans.figures(), scans.newest()), params.least_nats);
+  const double enough = std::ceil(params.enough_nats / nats);
+  return static_cast<int>(std::min<double>(enough, oldest_within(params.window_s, scans)));
+}
+
+PairSeeds::PairSeeds(const BirthParams& params, const TargetPrior& prior) : params_(params), prior_(prior) {
+  pairs_.resize(kReserve);
+  pairs_.resize(0);
+}
+
+std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood) {
+  seeds_.clear();
+  scans_ = &likelihood.scans();
+  collect_free_echoes(likelihood);
+  pair_echoes();
+  if (scores_.empty()) return seeds_;
+  const int window = birth_window(*scans_, params_);
+  const int first_look = std::min(window, oldest_within(params_.first_look_s, *scans_));
+  score(likelihood, first_look);
+  if (window > first_look) {
+    keep_best(static_cast<std::size_t>(params_.first_look_keep));
+    score(likelihood, window);
+  }
+  refine_and_merge(likelihood);
+  weigh(likelihood, window);
+  return seeds_;
+}
+
+void PairSeeds::collect_free_echoes(const ScanLikelihood& likelihood) {
+  newest_.clear();
+  older_.clear();
+  for (int age = 0; age < scans_->size(); ++age) {
+    if (-scans_->seconds_at_age(age) > params_.max_lag_s) break;
+    if (age > 0 && age < params_.min_lag_scans) continue;
+    const auto& echoes = scans_->at_age(age).detections;
+    for (std::size_t i = 0; i < echoes.size(); ++i) {
+      if (explained(likelihood, age, i)) continue;
+      (age == 0 ? newest_ : older_).push_back({echoes[i].p_earth, age});
+    }
+  }
+}
+
+bool PairSeeds::explained(const ScanLikelihood& likelihood, int age, std::size_t echo) const {
+  const ScanTable& scan = scans_->at_age(age);
+  const bool point = scan.clutter == ClutterModel::point;
+  const core::Detection& detection = scan.detections[echo];
+  return likelihood.explained(age, point ? static_cast<int>(echo) : detection.beam, detection.range) >=
+         params_.explained;
+}
+
+void PairSeeds::pair_echoes() {
+  pairs_.resize(0);
+  scores_.clear();
+  const double sigma = scans_->figures().range_sigma;
+  for (const Echo& older : older_) {
+    const double seconds = -scans_->seconds_at_age(older.age);
+    const double reach = prior_.max_speed() * seconds + 2.0 * std::numbers::sqrt2 * sigma;
+    for (const Echo& newest : newest_)
+      if ((newest.position - older.position).squaredNorm() <= reach * reach) add_pair(newest, older, seconds);
+  }
+  sum_.assign(scores_.size(), 0.0);
+  scored_to_ = -1;
+}
+
+// The most probable line through both echoes: two that are close in time say little of the velocity.
+void PairSeeds::add_pair(const Echo& newest, const Echo& older, double seconds) {
+  const double sigma = scans_->figures().range_sigma;
+  const double prior_variance = prior_.velocity_sigma() * prior_.velocity_sigma();
+  const double shrink = prior_variance / (prior_variance + 2.0 * sigma * sigma / (seconds * seconds));
+  const Eigen::Vector2d velocity = shrink / seconds * (newest.position - older.position);
+  const Eigen::Vector2d position = 0.5 * (newest.position + older.position + seconds * velocity);
+  pairs_.north.push_back(position.x());
+  pairs_.east.push_back(position.y());
+  pairs_.north_velocity.push_back(velocity.x());
+  pairs_.east_velocity.push_back(velocity.y());
+  scores_.push_back({-std::numeric_limits<double>::infinity(), 0});
+}
+
+// Runs all pairs backwards to the scan of age `oldest`, from where the last call ended.
+void PairSeeds::score(ScanLikelihood& likelihood, int oldest) {
+  step_.resize(scores_.size());
+  for (int age = scored_to_ + 1; age <= oldest; ++age) {
+    std::fill(step_.begin(), step_.end(), 0.0);
+    add_log_ratio(scans_->at_age(age), likelihood.mask(age, ScanLikelihood::kNobody, -1), pairs_.span(),
+                  scans_->seconds_at_age(age), kSeedTolerance, step_);
+    for (std::size_t i = 0; i < scores_.size(); ++i) {
+      sum_[i] += step_[i];
+      if (sum_[i] > scores_[i].best) scores_[i] = {sum_[i], age};
+    }
+  }
+  scored_to_ = oldest;
+}
+
+void PairSeeds::keep_best(std::size_t count) {
+  order_.resize(scores_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  if (order_.size() > count) {
+    std::nth_element(order_.begin(), order_.begin() + static_cast<std::ptrdiff_t>(count), order_.end(),
+                     [this](std::size_t a, std::size_t b) { return scores_[a].best > scores_[b].best; });
+    order_.resize(count);
+    std::sort(order_.begin(), order_.end());
+  }
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    const std::size_t i = order_[k];
+    pairs_.north[k] = pairs_.north[i];
+    pairs_.east[k] = pairs_.east[i];
+    pairs_.north_velocity[k] = pairs_.north_velocity[i];
+    pairs_.east_velocity[k] = pairs_.east_velocity[i];
+    scores_[k] = scores_[i];
+    sum_[k] = sum_[i];
+  }
+  pairs_.resize(order_.size());
+  scores_.resize(order_.size());
+  sum_.resize(order_.size());
+}
+
+void PairSeeds::refine_and_merge(const ScanLikelihood& likelihood) {
+  order_.resize(scores_.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  std::sort(order_.begin(), order_.end(),
+            [this](std::size_t a, std::size_t b) { return scores_[a].best > scores_[b].best; });
+  int tried = 0;
+  for (const std::size_t i : order_) {
+    if (static_cast<int>(seeds_.size()) >= params_.seeds || tried >= params_.tries_per_seed * params_.seeds)
+      break;
+    BirthSeed seed;
+    ++tried;
+    if (refine(likelihood, i, seed) && !merged(seed)) seeds_.push_back(seed);
+  }
+}
+
+bool PairSeeds::merged(const BirthSeed& seed) {
+  for (const BirthSeed& other : seeds_) {
+    const Eigen::Vector4d offset = seed.guess.mean.head<4>() - other.guess.mean.head<4>();
+    const Eigen::Matrix4d covariance =
+        other.guess.covariance.topLeftCorner<4, 4>() + seed.guess.covariance.topLeftCorner<4, 4>();
+    if (offset.dot(covariance.llt().solve(offset)) < params_.same_target) return true;
+  }
+  return false;
+}
+
+// Least squares over the echoes of the window, each weighted with its membership: the share of its likelihood
+// that the line explains. [Yan2018] III.B done on joint hypotheses: the noise class is the rest.
+bool PairSeeds::refine(const ScanLikelihood& likelihood, std::size_t index, BirthSeed& seed) const {
+  Eigen::Vector4d state(pairs_.north[index], pairs_.east[index], pairs_.north_velocity[index],
+                        pairs_.east_velocity[index]);
+  const double prior_variance = prior_.velocity_sigma() * prior_.velocity_sigma();
+  Eigen::Matrix4d covariance;
+  for (int round = 0; round < params_.refine_rounds; ++round) {
+    LineFit fit;
+    fit.information.bottomRightCorner<2, 2>() += Eigen::Matrix2d::Identity() / prior_variance;
+    fit.information.topLeftCorner<2, 2>() += Eigen::Matrix2d::Identity() / kWeakPosition;
+    fit.weighted.head<2>() += state.head<2>() / kWeakPosition;
+    for (int age = 0; age <= scores_[index].oldest; ++age) add_members(likelihood, age, state, fit);
+    const Eigen::LLT<Eigen::Matrix4d> solver(fit.information);
+    if (solver.info() != Eigen::Success) return false;
+    state = solver.solve(fit.weighted);
+    covariance = solver.solve(Eigen::Matrix4d::Identity());
+  }
+  seed.guess.mean.head<4>() = state;
+  seed.guess.covariance.topLeftCorner<4, 4>() = covariance;
+  seed.start_age = scores_[index].oldest;
+  seed.log_odds = 0.5 * std::log(covariance.determinant()) + 2.0 * std::log(2.0 * std::numbers::pi);
+  return true;
+}
+
+// Adds to the odds of the seeds what all scans say of their refined lines, over all beginnings; the most
+// probable come first.
+void PairSeeds::weigh(ScanLikelihood& likelihood, int oldest) {
+  lines_.resize(seeds_.size());
+  for (std::size_t k = 0; k < seeds_.size(); ++k) {
+    const Trajectory& mean = seeds_[k].guess.mean;
+    lines_.north[k] = mean[0];
+    lines_.east[k] = mean[1];
+    lines_.north_velocity[k] = mean[2];
+    lines_.east_velocity[k] = mean[3];
+  }
+  step_.resize(seeds_.size());
+  likelihood.begin(lines_.span(), scans_->seconds_at_age(oldest), oldest, step_);
+  for (int age = oldest; age >= 0; --age) {
+    add_births(likelihood.log_birth(age), step_);
+    add_log_ratio(scans_->at_age(age), likelihood.mask(age, ScanLikelihood::kNobody, -1), lines_.span(),
+                  scans_->seconds_at_age(age), kSeedTolerance, step_);
+  }
+  const double log_density = prior_.log_standing(scans_->newest());
+  for (std::size_t k = 0; k < seeds_.size(); ++k)
+    seeds_[k].log_odds +=
+        step_[k] + log_density + prior_.log_speed(seeds_[k].guess.mean.segment<2>(2).norm());
+  std::sort(seeds_.begin(), seeds_.end(),
+            [](const BirthSeed& a, const BirthSeed& b) { return a.log_odds > b.log_odds; });
+}
+
+// Adds the echoes of one scan near the line to the fit.
+void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eigen::Vector4d& state,
+                            LineFit& fit) const {
+  const ScanTable& scan = scans_->at_age(age);
+  const SensorFigures& figures = scans_->figures();
+  const double seconds = scans_->seconds_at_age(age);
+  const Eigen::Vector2d at = state.head<2>() + seconds * state.tail<2>();
+  const double dn = at.x() - scan.T_earth_sonar.north, de = at.y() - scan.T_earth_sonar.east;
+  const double range = std::hypot(dn, de);
+  const double azimuth = std::atan2(de, dn);
+  const auto add = [&](int claim_index, double echo_range, double echo_azimuth) {
+    const double dr = (echo_range - range) / figures.range_sigma;
+    const double db = core::wrap_to_pi(echo_azimuth - azimuth) / figures.bearing_sigma;
+    const double square = dr * dr + db * db;
+    if (square > kMembershipGate || likelihood.explained(age, claim_index, echo_range) >= params_.explained)
+      return;
+    const double own = static_cast<double>(scan.gain) * std::exp(-0.5 * square);
+    const double cross = echo_range * figures.bearing_sigma;
+    fit.add({scan.T_earth_sonar.north + echo_range * std::cos(echo_azimuth),
+             scan.T_earth_sonar.east + echo_range * std::sin(echo_azimuth)},
+            seconds, echo_azimuth, figures.range_sigma * figures.range_sigma, cross * cross,
+            own / (1.0 + own));
+  };
+  if (scan.clutter == ClutterModel::point) {
+    for (std::size_t i = 0; i < scan.detections.size(); ++i)
+      add(static_cast<int>(i), scan.detections[i].range, scan.detections[i].azimuth);
+    return;
+  }
+  const int beam = beam_at(scan, at.x(), at.y());
+  const double first_azimuth = scan.axis - 0.5 * (scan.num_beams - 1) * scan.bearing_step;
+  const int reach = 1 + scan.blur_reach;
+  for (int b = std::max(0, beam - reach); b <= std::min(scan.num_beams - 1, beam + reach); ++b) {
+    const float echo = scan.range[static_cast<std::size_t>(b) + 1];
+    if (echo > 0.0F) add(b, static_cast<double>(echo), first_azimuth + b * scan.bearing_step);
+  }
+}
+
+}  // namespace lookout::csht

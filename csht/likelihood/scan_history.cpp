@@ -1,0 +1,72 @@
+#include "csht/likelihood/scan_history.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::csht {
+
+ScanHistory::ScanHistory(const SensorFigures& figures, const SensorModelParams& model, int capacity)
+    : figures_(figures), model_(model) {
+  validate(figures);
+  validate(model);
+  if (capacity < 1) throw std::invalid_argument("capacity must be >= 1, got " + std::to_string(capacity));
+  tables_.resize(static_cast<std::size_t>(capacity));
+}
+
+int ScanHistory::push(const core::PosedScan& scan) {
+  newest_ = (newest_ + 1) % capacity();
+  size_ = std::min(size_ + 1, capacity());
+  ++pushed_;
+  make_room(scan.scan.returns.size(), static_cast<std::size_t>(scan.scan.num_beams) + 2);
+  ScanTable& table = tables_[static_cast<std::size_t>(newest_)];
+  const int left_out = fill_scan_table(scan, table);
+  csht::set_figures(figures_, model_, table);
+  return left_out;
+}
+
+// All tables take the densest scan so far, so that none grows later.
+void ScanHistory::make_room(std::size_t returns, std::size_t slots) {
+  if (returns <= densest_ && slots <= widest_) return;
+  densest_ = std::max(densest_, returns);
+  widest_ = std::max(widest_, slots);
+  for (ScanTable& table : tables_) {
+    table.detections.reserve(densest_);
+    table.bearing_from_axis.reserve(densest_);
+    table.range.reserve(widest_);
+    table.base.reserve(widest_);
+    table.lost.reserve(widest_);
+  }
+}
+
+const ScanTable& ScanHistory::at_age(int age) const {
+  assert(age >= 0 && age < size_);
+  return tables_[static_cast<std::size_t>((newest_ - age + capacity()) % capacity())];
+}
+
+double ScanHistory::seconds_at_age(int age) const {
+  return core::seconds(at_age(age).utime - newest().utime);
+}
+
+void ScanHistory::set_figures(const SensorFigures& figures) {
+  validate(figures);
+  figures_ = figures;
+  for (int age = 0; age < size_; ++age) csht::set_figures(figures_, model_, table_at(age));
+}
+
+ScanTable& ScanHistory::table_at(int age) {
+  assert(age >= 0 && age < size_);
+  return tables_[static_cast<std::size_t>((newest_ - age + capacity()) % capacity())];
+}
+
+void ScanHistory::set_heading_error(int age, const HeadingError& error) {
+  csht::set_heading_error(error, figures_, table_at(age));
+}
+
+void ScanHistory::clear() {
+  size_ = 0;
+  newest_ = -1;
+}
+
+}  // namespace lookout::csht

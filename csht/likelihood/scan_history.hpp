@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "csht/likelihood/scan_table.hpp"
+
+namespace lookout::csht {
+
+/// The latest scans as likelihood tables, shared by the estimator and the tracker. Its buffers are reused:
+/// once each has been used, a push allocates nothing unless the scan is the densest so far.
+class ScanHistory {
+ public:
+  /// @param capacity scans kept, >= 1. @throws std::invalid_argument on a bad value.
+  ScanHistory(const SensorFigures& figures, const SensorModelParams& model, int capacity);
+
+  /// Takes the next scan and forgets the oldest beyond the capacity. @return returns left out as impossible.
+  int push(const core::PosedScan& scan);
+
+  /// The scan `age` scans before the newest, 0 <= age < size().
+  const ScanTable& at_age(int age) const;
+  const ScanTable& newest() const { return at_age(0); }
+  /// Seconds from the scan of that age to the newest, negative or zero.
+  double seconds_at_age(int age) const;
+
+  int size() const { return size_; }
+  int capacity() const { return static_cast<int>(tables_.size()); }
+  std::int64_t pushed() const { return pushed_; }  ///< Scans ever taken; names a scan as pushed() - 1 - age.
+
+  /// Rewrites the figures of every table kept.
+  void set_figures(const SensorFigures& figures);
+  const SensorFigures& figures() const { return figures_; }
+  const SensorModelParams& model() const { return model_; }
+
+  /// Turns the scan of that age to the heading that is now believed.
+  void set_heading_error(int age, const HeadingError& error);
+  void clear();
+
+ private:
+  ScanTable& table_at(int age);
+  void make_room(std::size_t returns, std::size_t slots);
+
+  SensorFigures figures_;
+  SensorModelParams model_;
+  std::vector<ScanTable> tables_;
+  int size_ = 0;
+  int newest_ = -1;
+  std::int64_t pushed_ = 0;
+  std::size_t densest_ = 0, widest_ = 0;  ///< Most returns and slots of a scan so far.
+};
+
+}  // namespace lookout::csht

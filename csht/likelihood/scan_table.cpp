@@ -1,0 +1,149 @@
+#include "csht/likelihood/scan_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "csht/likelihood/blurred_likelihood.hpp"
+#include "csht/scan_to_detections.hpp"
+
+namespace lookout::csht {
+namespace {
+
+// Where a slot without an echo of its own has its range [m]: no position is near it, and silent() reads it.
+constexpr float kFar = -1e6F;
+
+constexpr double kBlurSigmas =
+    2.0;  // Of the heading, beyond which a target is taken for in the outermost beam.
+
+struct EchoWorth {
+  double gain = 0.0;                              // Factor of the Gaussian at an echo of the target.
+  double foreign = 0.0;                           // Likelihood ratio of an echo that cannot be the target's.
+  double silence = 0.0;                           // Likelihood ratio of a silent beam.
+  double foreign_lost = 0.0, silence_lost = 0.0;  // What both gain where the target's echo is surely lost.
+};
+
+// [Yan2018] V as a likelihood ratio "target here" against "no target here"; each averages 1 over clutter.
+EchoWorth worth_of(const SensorFigures& f, const SensorModelParams& model, double max_range) {
+  const double height = max_range / (f.range_sigma * std::sqrt(2.0 * std::numbers::pi));
+  const double detect = 1.0 - f.miss_probability;
+  EchoWorth worth;
+  if (model.clutter == ClutterModel::exclusive_beam) {
+    worth.gain = detect / f.false_alarm_probability * height;
+    worth.foreign = std::exp(model.log_floor);
+    worth.silence = f.miss_probability / (1.0 - f.false_alarm_probability);
+    worth.silence_lost = detect / (1.0 - f.false_alarm_probability);
+  } else {  // Of a target's echo and a false alarm in one beam, either is reported.
+    worth.gain = detect * (1.0 - 0.5 * f.false_alarm_probability) / f.false_alarm_probability * height;
+    worth.foreign = 1.0 - 0.5 * detect;
+    worth.silence = f.miss_probability;
+    worth.foreign_lost = 0.5 * detect;
+    worth.silence_lost = detect;
+  }
+  return worth;
+}
+
+void set_beam_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
+  const EchoWorth worth = worth_of(figures, model, table.max_range);
+  table.gain = static_cast<float>(worth.gain);
+  for (std::size_t slot = 0; slot < table.range.size(); ++slot) {
+    const bool silent = table.range[slot] < 0.0F;
+    table.base[slot] = static_cast<float>(silent ? worth.silence : worth.foreign);
+    const double lost = silent ? worth.silence_lost : worth.foreign_lost;
+    table.lost[slot] = model.range_gate ? static_cast<float>(lost) : 0.0F;
+  }
+  if (table.whole_circle) return;
+  table.base.front() = table.base.back() = 1.0F;
+  table.lost.front() = table.lost.back() = 0.0F;
+}
+
+// Clutter is uniform over range and bearing, as the false alarms of [Yan2018] V are.
+void set_point_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
+  const double density = figures.clutter_per_scan / (table.max_range * table.num_beams * table.bearing_step);
+  const double area = 2.0 * std::numbers::pi * figures.range_sigma * figures.bearing_sigma;
+  table.gain = static_cast<float>((1.0 - figures.miss_probability) / (density * area));
+  std::fill(table.base.begin(), table.base.end(), static_cast<float>(figures.miss_probability));
+  const double lost = model.range_gate ? 1.0 - figures.miss_probability : 0.0;
+  std::fill(table.lost.begin(), table.lost.end(), static_cast<float>(lost));
+  table.inverse_resolution = figures.resolution > 0.0 ? static_cast<float>(1.0 / figures.resolution) : 0.0F;
+  table.inverse_bearing_sigma = static_cast<float>(1.0 / figures.bearing_sigma);
+}
+
+void set_blur(const SensorFigures& figures, ScanTable& table) {
+  const double sigma = table.heading_error ? table.heading_error->sigma : figures.heading_sigma;
+  const bool exact = table.clutter == ClutterModel::point || (sigma <= 0.0 && figures.position_sigma <= 0.0);
+  table.blur_heading = static_cast<float>(sigma / table.bearing_step);
+  table.blur_position = static_cast<float>(figures.position_sigma / table.bearing_step);
+  const double heading = kBlurSigmas * sigma / table.bearing_step;
+  table.blur_reach = exact ? 0 : std::clamp(static_cast<int>(std::ceil(heading)), 1, kMostBlurReach);
+}
+
+void set_axis(double axis, ScanTable& table) {
+  table.axis = core::wrap_to_pi(axis);
+  table.cos_axis = std::cos(table.axis);
+  table.sin_axis = std::sin(table.axis);
+}
+
+void fill_slots(ScanTable& table) {
+  const auto slots = static_cast<std::size_t>(table.num_beams) + 2;
+  table.range.assign(slots, kFar);
+  table.base.assign(slots, 1.0F);
+  table.lost.assign(slots, 0.0F);
+  table.bearing_from_axis.clear();
+  for (const auto& detection : table.detections) {
+    table.bearing_from_axis.push_back(static_cast<float>(core::wrap_to_pi(detection.azimuth - table.axis)));
+    if (detection.beam < 0 || detection.beam >= table.num_beams) continue;
+    float& range = table.range[static_cast<std::size_t>(detection.beam) + 1];
+    const auto echo = static_cast<float>(detection.range);
+    range = range < 0.0F ? echo : std::min(range, echo);
+  }
+  if (!table.whole_circle) return;
+  table.range.front() = table.range[slots - 2];
+  table.range.back() = table.range[1];
+}
+
+}  // namespace
+
+int fill_scan_table(const core::PosedScan& posed, ScanTable& table) {
+  const core::SonarScan& scan = posed.scan;
+  const double sector = scan.num_beams * scan.bearing_step;
+  table.utime = scan.utime;
+  table.T_earth_sonar = posed.T_earth_sonar;
+  table.heading_error.reset();
+  set_axis(posed.T_earth_sonar.heading + scan.first_bearing + 0.5 * (scan.num_beams - 1) * scan.bearing_step,
+           table);
+  table.first_bearing = scan.first_bearing;
+  table.bearing_step = scan.bearing_step;
+  table.max_range = scan.max_range;
+  table.num_beams = scan.num_beams;
+  table.whole_circle = sector > 2.0 * std::numbers::pi - 0.5 * scan.bearing_step;
+  table.cos_half_sector = table.whole_circle ? -1.0 : std::cos(0.5 * sector);
+  table.half_sector = static_cast<float>(table.whole_circle ? 2.0 * std::numbers::pi : 0.5 * sector);
+  const int left_out = scan_to_detections(posed, 0, table.detections);
+  fill_slots(table);
+  return left_out;
+}
+
+void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
+  table.clutter = model.clutter;
+  table.inverse_sigma = static_cast<float>(1.0 / figures.range_sigma);
+  if (model.clutter == ClutterModel::point)
+    set_point_figures(figures, model, table);
+  else
+    set_beam_figures(figures, model, table);
+  set_blur(figures, table);
+}
+
+void set_heading_error(const HeadingError& error, const SensorFigures& figures, ScanTable& table) {
+  const double turn = error.mean - (table.heading_error ? table.heading_error->mean : 0.0);
+  table.heading_error = error;
+  table.T_earth_sonar.heading = core::wrap_to_pi(table.T_earth_sonar.heading + turn);
+  set_axis(table.axis + turn, table);
+  for (core::Detection& echo : table.detections) {
+    echo.azimuth = core::wrap_to_pi(echo.azimuth + turn);
+    echo.p_earth = echo.p_earth_sonar + core::from_polar(echo.range, echo.azimuth);
+  }
+  set_blur(figures, table);
+}
+
+}  // namespace lookout::csht

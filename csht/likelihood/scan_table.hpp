@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/detection.hpp"
+#include "core/sonar_scan.hpp"
+#include "csht/likelihood/sensor_model.hpp"
+
+namespace lookout::csht {
+
+/// What is known of the error of a scan's heading, beyond that such errors happen.
+struct HeadingError {
+  double mean = 0.0;   ///< True heading minus the stated one [rad].
+  double sigma = 0.0;  ///< Standard deviation of the rest [rad], >= 0.
+};
+
+/// One scan laid out for the likelihood: where the sonar was and, beam by beam, what it returned. Arrays over
+/// beams have one slot more at either end (slot = beam + 1): outside the sector nothing is learnt; where the
+/// sector is the whole circle, the slots repeat the beams across the seam.
+struct ScanTable {
+  std::int64_t utime = 0;
+  core::Pose2 T_earth_sonar;  ///< As stated, but for the mean of `heading_error`.
+  std::optional<HeadingError> heading_error;
+  double axis = 0.0;                      ///< Azimuth of the middle of the sector [rad].
+  double cos_axis = 1.0, sin_axis = 0.0;  ///< Of `axis`.
+  double first_bearing = 0.0;             ///< Centre of beam 0 in the sonar frame [rad].
+  double bearing_step = 0.0;              ///< [rad].
+  double max_range = 0.0;                 ///< [m].
+  double cos_half_sector = 0.0;           ///< Cosine of half the sector; -1 of the whole circle.
+  int num_beams = 0;
+  bool whole_circle = false;  ///< The sector closes on itself.
+  ClutterModel clutter = ClutterModel::exclusive_beam;
+  std::vector<core::Detection> detections;  ///< The valid returns, placed in the earth frame.
+
+  /// Likelihood ratio of a slot: base + gain exp(-(r - range)^2 / (2 sigma^2)). A silent slot has its range
+  /// far away.
+  std::vector<float> range;
+  std::vector<float> base;
+  /// What the base gains, times the probability that noise takes the target's echo out of the range gate.
+  std::vector<float> lost;
+  float gain = 0.0F;
+  float inverse_sigma = 0.0F;  ///< [1/m].
+  /// point alone: bearing of each detection from `axis` [rad].
+  std::vector<float> bearing_from_axis;
+  float inverse_bearing_sigma = 0.0F;  ///< [1/rad].
+  float inverse_resolution = 0.0F;     ///< point alone [1/m]; 0: every target has its own return.
+  float half_sector = 0.0F;            ///< Beyond it from `axis` nothing is seen [rad].
+
+  /// What the errors of the pose do to beams; see blurred_likelihood.hpp.
+  int blur_reach = 0;         ///< Beams to either side of the reported one that a target may be in; 0: exact.
+  float blur_heading = 0.0F;  ///< Standard deviation by the heading [beams].
+  float blur_position = 0.0F;  ///< By the position, times the range [beams x m].
+
+  bool silent(int beam) const { return range[static_cast<std::size_t>(beam) + 1] < 0.0F; }
+};
+
+/// Fills `table` from a scan; its buffers are kept, so that a warm caller allocates nothing. Two returns of
+/// one beam: the nearer is taken.
+/// @return how many returns were left out as impossible.
+int fill_scan_table(const core::PosedScan& scan, ScanTable& table);
+
+/// Writes the figures into a filled table: what an echo, a silence and a foreign echo are worth.
+void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table);
+
+/// Turns a filled table with figures to the heading that is now believed, as uncertain as it is now.
+void set_heading_error(const HeadingError& error, const SensorFigures& figures, ScanTable& table);
+
+}  // namespace lookout::csht

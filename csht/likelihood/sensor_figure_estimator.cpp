@@ -1,0 +1,219 @@
+#include "csht/likelihood/sensor_figure_estimator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/parameter_check.hpp"
+#include "csht/likelihood/range_gate.hpp"
+#include "csht/likelihood/sensor_likelihood.hpp"
+
+namespace lookout::csht {
+namespace {
+
+constexpr double kHidden = 0.5;  // Behind another target with at least this probability, a miss says nothing.
+
+// What one sample of a trajectory makes of one scan.
+struct Sighting {
+  double echo = 0.0, silence = 0.0;    // Probability of an echo of its own, and of a miss.
+  double lost = 0.0;                   // Of an echo that noise took out of the range gate.
+  double residual = 0.0, range = 0.0;  // Of the echo, and of the prediction [m].
+};
+
+Sighting sight_in_beam(const ScanTable& scan, double range, double bearing) {
+  const double beam = bearing / scan.bearing_step + 0.5 * scan.num_beams;
+  if (beam < 0.0 || beam >= scan.num_beams || range > scan.max_range) return {};
+  const auto slot = static_cast<std::size_t>(beam) + 1;
+  if (scan.silent(static_cast<int>(beam))) {
+    const double lost = scan.lost[slot] * lost_share(scan.max_range, scan.inverse_sigma, range);
+    const double miss = scan.base[slot] / (scan.base[slot] + lost);
+    return {0.0, miss, 1.0 - miss, 0.0, range};
+  }
+  const double residual = scan.range[slot] - range;
+  const double sigmas = residual * scan.inverse_sigma;
+  const double own = scan.gain * std::exp(-0.5 * sigmas * sigmas);
+  // An echo of something else: this sample is in the wrong beam, or the model is; it teaches nothing.
+  return {own / (own + scan.base[slot]), 0.0, 0.0, residual, range};
+}
+
+Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
+  if (std::abs(bearing) > scan.half_sector || range > scan.max_range) return {};
+  const double lost = scan.lost[1] * lost_share(scan.max_range, scan.inverse_sigma, range);
+  double echoes = 0.0, best = 0.0;
+  Sighting sighting{0.0, 0.0, 0.0, 0.0, range};
+  for (std::size_t j = 0; j < scan.detections.size(); ++j) {
+    const double dr = scan.detections[j].range - range;
+    const double db = core::wrap_to_pi(scan.bearing_from_axis[j] - bearing) * scan.inverse_bearing_sigma;
+    const double sigmas = dr * scan.inverse_sigma;
+    const double own = scan.gain * std::exp(-0.5 * (sigmas * sigmas + db * db));
+    if (own > best) sighting.residual = dr;
+    best = std::max(best, own);
+    echoes += own;
+  }
+  const double total = echoes + scan.base[1] + lost;
+  sighting.echo = echoes / total;
+  sighting.silence = scan.base[1] / total;
+  sighting.lost = lost / total;
+  return sighting;
+}
+
+Sighting sight(const ScanTable& scan, const Eigen::Vector4d& state, double seconds) {
+  const double dn = state[0] + seconds * state[2] - scan.T_earth_sonar.north;
+  const double de = state[1] + seconds * state[3] - scan.T_earth_sonar.east;
+  const double bearing = core::wrap_to_pi(std::atan2(de, dn) - scan.axis);
+  return scan.clutter == ClutterModel::point ? sight_of_point(scan, std::hypot(dn, de), bearing)
+                                             : sight_in_beam(scan, std::hypot(dn, de), bearing);
+}
+
+// Whether a target makes another's miss worthless: nearer in the same beam or, of a point sensor, nearer to
+// it than the resolution. Both as seen from the sonar.
+bool hides(const ScanTable& scan, const Eigen::Vector2d& target, const Eigen::Vector2d& other) {
+  if (scan.clutter == ClutterModel::point)
+    return scan.inverse_resolution > 0.0F &&
+           (target - other).norm() * static_cast<double>(scan.inverse_resolution) < 1.0;
+  const double across = std::abs(other.x() * target.y() - other.y() * target.x()) / target.norm();
+  const bool nearer = target.norm() < other.norm() && other.dot(target) > 0.0;
+  return nearer && across < scan.bearing_step * other.norm();
+}
+
+}  // namespace
+
+double SensorFigureEstimator::Share::sigma() const {
+  return std::sqrt(mean() * (1.0 - mean()) / (trials + 1.0));
+}
+
+void SensorFigureEstimator::Share::fade(double factor) {
+  hits *= factor;
+  trials *= factor;
+}
+
+SensorFigureEstimator::SensorFigureEstimator(const SensorFigureParams& params, const core::SonarParams& given)
+    : params_(params), given_(given), figures_(figures_of(given)), num_beams_(given.num_beams) {
+  core::require(params.memory_scans > 1.0, "memory_scans must be > 1", params.memory_scans);
+  core::require(params.settle_scans >= 1, "settle_scans must be >= 1", params.settle_scans);
+  core::require(params.doubt_sigmas > 0.0, "doubt_sigmas must be > 0", params.doubt_sigmas);
+  core::require(params.prior_weight > 0.0, "prior_weight must be > 0", params.prior_weight);
+  core::require(params.sigma_weight > 0.0, "sigma_weight must be > 0", params.sigma_weight);
+  const double weight = params.prior_weight;
+  miss_ = {weight * params.unknown_miss, weight};
+  false_alarm_ = {weight * params.unknown_false_alarm, weight};
+  squares_ = params.sigma_weight * given.range_sigma * given.range_sigma;
+  echoes_ = params.sigma_weight;
+  choose();
+}
+
+void SensorFigureEstimator::update(const ScanHistory& history, std::span<const KnownTarget> targets) {
+  const double factor = 1.0 - 1.0 / params_.memory_scans;
+  miss_.fade(factor);
+  false_alarm_.fade(factor);
+  for (double* value : {&clutter_sum_, &clutter_scans_, &squares_, &echoes_}) *value *= factor;
+  utime_ = history.newest().utime;
+  num_beams_ = history.newest().num_beams;
+  claims_.clear(history, 1);
+  for (const auto& target : targets) claims_.claim(history, target.samples, target.existence);
+  learn_clutter(history.newest());
+  if (history.size() > params_.settle_scans)
+    for (std::size_t k = 0; k < targets.size(); ++k)
+      if (targets[k].existence >= params_.sure_existence && targets[k].held_scans >= params_.settle_scans)
+        learn_target(history, k, targets);
+  choose();
+}
+
+// Beams (returns) that no target owns.
+void SensorFigureEstimator::learn_clutter(const ScanTable& newest) {
+  const BeamMask* mask = claims_.at_age(0);
+  if (newest.clutter == ClutterModel::point) {
+    clutter_scans_ += 1.0;
+    for (std::size_t j = 0; j < newest.detections.size(); ++j)
+      clutter_sum_ += mask == nullptr ? 1.0 : 1.0 - mask->share[j];
+    return;
+  }
+  for (int beam = 0; beam < newest.num_beams; ++beam) {
+    const double free = mask == nullptr ? 1.0 : 1.0 - mask->share[static_cast<std::size_t>(beam) + 1];
+    false_alarm_.trials += free;
+    if (!newest.silent(beam)) false_alarm_.hits += free;
+  }
+}
+
+// Once per scan and target, when the scans after it have settled where the target was.
+void SensorFigureEstimator::learn_target(const ScanHistory& history, std::size_t index,
+                                         std::span<const KnownTarget> targets) {
+  const ScanTable& scan = history.at_age(params_.settle_scans);
+  const double seconds = history.seconds_at_age(params_.settle_scans);
+  const auto& samples = targets[index].samples;
+  const Eigen::Vector2d sonar(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
+  const auto line_of_sight = [&](const KnownTarget& target) -> Eigen::Vector2d {
+    const Eigen::Vector4d& state = target.samples[target.samples.size() / 2];
+    return state.head<2>() + seconds * state.tail<2>() - sonar;
+  };
+  const Eigen::Vector2d own = line_of_sight(targets[index]);
+  for (std::size_t k = 0; k < targets.size(); ++k)
+    if (k != index && targets[k].existence > kHidden && hides(scan, line_of_sight(targets[k]), own)) return;
+  learn_echo(scan, samples, seconds);
+}
+
+void SensorFigureEstimator::learn_echo(const ScanTable& scan, std::span<const Eigen::Vector4d> samples,
+                                       double seconds) {
+  const double weight = 1.0 / static_cast<double>(samples.size());
+  double echo = 0.0, silence = 0.0, lost = 0.0;
+  double residual = 0.0, range = 0.0, range_squares = 0.0;
+  for (const auto& sample : samples) {
+    const Sighting sighting = sight(scan, sample, seconds);
+    const double own = weight * sighting.echo;
+    echo += own;
+    silence += weight * sighting.silence;
+    lost += weight * sighting.lost;
+    residual += own * sighting.residual;
+    range += own * sighting.range;
+    range_squares += own * sighting.range * sighting.range;
+  }
+  miss_.hits += silence;
+  miss_.trials += silence + echo + lost;
+  if (echo < 0.5) return;
+  // The trajectory was drawn to this echo: its residual about the mean falls short of sigma by its spread.
+  const double mean = residual / echo;
+  const double spread = range_squares / echo - (range / echo) * (range / echo);
+  squares_ += echo * (mean * mean + spread);
+  echoes_ += echo;
+}
+
+// A given figure stands until the stream contradicts it.
+void SensorFigureEstimator::choose() {
+  const core::SensorEstimate now = estimate();
+  const auto doubted = [this](double given, double mean, double sigma) {
+    return std::abs(given - mean) > params_.doubt_sigmas * sigma;
+  };
+  core::SonarParams use = given_;
+  doubts_miss_ = given_.miss_probability &&
+                 doubted(*given_.miss_probability, now.miss_probability, now.miss_probability_sigma);
+  doubts_false_ =
+      given_.false_alarm_probability && doubted(*given_.false_alarm_probability, now.false_alarm_probability,
+                                                now.false_alarm_probability_sigma);
+  doubts_sigma_ = doubted(given_.range_sigma, now.range_sigma, now.range_sigma_sigma);
+  // False alarms tell in a scan or two, misses after sure targets alone: until then, figures of which one
+  // is wrong are not believed in the other.
+  if (!given_.miss_probability || doubts_miss_ || doubts_false_) use.miss_probability = now.miss_probability;
+  if (!given_.false_alarm_probability || doubts_false_)
+    use.false_alarm_probability = now.false_alarm_probability;
+  if (doubts_sigma_) use.range_sigma = now.range_sigma;
+  figures_ = figures_of(use);
+}
+
+core::SensorEstimate SensorFigureEstimator::estimate() const {
+  core::SensorEstimate estimate;
+  estimate.utime = utime_;
+  estimate.miss_probability = miss_.mean();
+  estimate.miss_probability_sigma = miss_.sigma();
+  estimate.false_alarm_probability = false_alarm_.mean();
+  estimate.false_alarm_probability_sigma = false_alarm_.sigma();
+  if (given_.point_sensor() && clutter_scans_ > 0.0) {
+    estimate.false_alarm_probability = clutter_sum_ / clutter_scans_ / num_beams_;
+    estimate.false_alarm_probability_sigma = std::sqrt(clutter_sum_ + 1.0) / clutter_scans_ / num_beams_;
+  }
+  estimate.range_sigma = std::sqrt(squares_ / echoes_);
+  estimate.range_sigma_sigma = estimate.range_sigma / std::sqrt(2.0 * echoes_);
+  return estimate;
+}
+
+}  // namespace lookout::csht

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "core/sensor_estimate.hpp"
+#include "core/sonar_params.hpp"
+#include "csht/likelihood/claim_set.hpp"
+#include "csht/likelihood/scan_history.hpp"
+
+namespace lookout::csht {
+
+/// A target as far as the sensor's figures are concerned: equally likely trajectories at the newest scan.
+struct KnownTarget {
+  std::span<const Eigen::Vector4d> samples;
+  double existence = 0.0;
+  /// For so many scans before the newest its trajectories are known to hold; it says nothing of older ones,
+  /// where it may not have been there yet.
+  int held_scans = std::numeric_limits<int>::max();
+};
+
+struct SensorFigureParams {
+  double memory_scans = 600.0;  ///< Older scans count less, by e-folding, > 1.
+  int settle_scans = 10;        ///< Scans after which a trajectory tells an echo from a miss, >= 1.
+  double sure_existence = 0.9;  ///< Least existence of a target that teaches P_M and sigma, in [0, 1].
+  double doubt_sigmas = 4.0;    ///< A given figure farther than this from its estimate is not used, > 0.
+  double unknown_miss = 0.5;    ///< P_M before anything is learnt: it costs little wherever the truth is.
+  double unknown_false_alarm = 0.2;  ///< P_F likewise; one scan outweighs it.
+  double prior_weight = 4.0;         ///< Of these two, in trials, > 0.
+  double sigma_weight = 20.0;        ///< Of the given range sigma, in echoes, > 0.
+};
+
+/// P_F, P_M and range sigma from the stream itself: silent and reporting beams that no target owns, echoes
+/// and misses of sure targets, their range residuals. Figures that are given are used until the stream
+/// contradicts them; then the estimate is used, and said so. Once P_F is contradicted, P_M is estimated too.
+class SensorFigureEstimator {
+ public:
+  /// @throws std::invalid_argument showing the value that is out of range.
+  SensorFigureEstimator(const SensorFigureParams& params, const core::SonarParams& given);
+
+  /// Call once for every scan pushed to `history`, with the targets known at it.
+  void update(const ScanHistory& history, std::span<const KnownTarget> targets);
+
+  const SensorFigures& figures() const { return figures_; }  ///< To be used for the next scan.
+  core::SensorEstimate estimate() const;                     ///< What the stream says, with its uncertainty.
+
+  /// Whether the given figure is contradicted by the stream and therefore not used.
+  bool doubts_miss_probability() const { return doubts_miss_; }
+  bool doubts_false_alarm_probability() const { return doubts_false_; }
+  bool doubts_range_sigma() const { return doubts_sigma_; }
+  bool doubts_any() const { return doubts_miss_ || doubts_false_ || doubts_sigma_; }
+
+ private:
+  struct Share {  // A Bernoulli rate with forgetting.
+    double hits = 0.0, trials = 0.0;
+    double mean() const { return hits / trials; }
+    double sigma() const;
+    void fade(double factor);
+  };
+
+  void learn_clutter(const ScanTable& newest);
+  void learn_target(const ScanHistory& history, std::size_t index, std::span<const KnownTarget> targets);
+  void learn_echo(const ScanTable& scan, std::span<const Eigen::Vector4d> samples, double seconds);
+  void choose();
+
+  SensorFigureParams params_;
+  core::SonarParams given_;
+  SensorFigures figures_;
+  ClaimSet claims_;
+  Share miss_, false_alarm_;
+  double clutter_sum_ = 0.0, clutter_scans_ = 0.0;  ///< Returns of no target, and scans. Point sensors.
+  double squares_ = 0.0, echoes_ = 0.0;             ///< Squared range residuals [m^2], and echoes.
+  std::int64_t utime_ = 0;
+  int num_beams_ = 1;
+  bool doubts_miss_ = false, doubts_false_ = false, doubts_sigma_ = false;
+};
+
+}  // namespace lookout::csht

@@ -1,0 +1,62 @@
+#include "csht/joint/evidence/scan_information.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/random.hpp"
+#include "tests/support/sonar_scene.hpp"
+
+namespace lookout::csht {
+namespace {
+
+// a prototype's study lists 4.0, 2.1, 1.3, 1.1 nats on the diagonal, to the accuracy of their printing.
+TEST(NatsPerScan, OfTheDiagonal) {
+  const double expected[] = {4.0, 2.1, 1.3, 1.1};
+  for (int k = 0; k < 4; ++k) {
+    const double p = 0.1 + 0.2 * k;
+    const ScanHistory scans = one_scan(p, p);
+    EXPECT_NEAR(nats_per_scan(scans.figures(), scans.newest()), expected[k], 0.06);
+  }
+}
+
+TEST(NatsPerScan, AnUncertainBeamCostsItsEntropy) {
+  SensorFigures figures;
+  figures.miss_probability = figures.false_alarm_probability = 0.1;
+  ScanHistory exact(figures, {}, 4);
+  figures.heading_sigma = core::radians(2.0);  // Of beams of 1 degree.
+  ScanHistory blurred(figures, {}, 4);
+  exact.push(scan_of(0, {}));
+  blurred.push(scan_of(0, {}));
+  // ln(2 sqrt(2 pi e)) = 2.11 nats for each of 0.9 echoes; what a silence loses is some hundredths.
+  EXPECT_NEAR(
+      nats_per_scan(exact.figures(), exact.newest()) - nats_per_scan(blurred.figures(), blurred.newest()),
+      0.9 * 2.11, 0.05);
+}
+
+TEST(LogOvershoot, OfOddsThatCreepIsNothing) {
+  EXPECT_NEAR(log_overshoot({0.5, 0.01, 0.01}), 0.0, 0.006);  // Half a step.
+  EXPECT_EQ(log_overshoot({0.5, -1.0, -1.0}), 0.0);
+}
+
+// Whatever the scans bring: the mean of e^-overshoot over many sums of positive steps that cross a threshold.
+TEST(LogOvershoot, IsThatOfSums) {
+  for (const ScanEvidence evidence : {ScanEvidence{0.5, 2.16, 0.51}, ScanEvidence{0.3, 1.65, 0.85}}) {
+    core::Random random(1013);
+    const int crossings = 20000;
+    double sum = 0.0;
+    for (int k = 0; k < crossings; ++k) {
+      double odds = -20.0 - random.uniform(0.0, 10.0);  // Longer than any period of the steps.
+      while (odds < 0.0) odds += random.bernoulli(evidence.detect) ? evidence.echo : evidence.silence;
+      sum += std::exp(-odds) / crossings;
+    }
+    EXPECT_NEAR(log_overshoot(evidence), std::log(sum), 0.02);  // Three standard errors are 0.01.
+  }
+}
+
+TEST(LogOvershoot, SilenceThatSpeaksAgainstATargetIsNoStep) {
+  EXPECT_DOUBLE_EQ(log_overshoot({0.7, 3.3, -0.9}), log_overshoot({1.0, 3.3, 0.0}));
+}
+
+}  // namespace
+}  // namespace lookout::csht

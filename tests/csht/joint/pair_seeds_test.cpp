@@ -1,0 +1,63 @@
+#include "csht/joint/pair_seeds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "tests/support/sonar_scene.hpp"
+
+namespace lookout::csht {
+namespace {
+
+constexpr int kOwners = 4;
+
+ScanLikelihood moving_target(int scans) {
+  ScanLikelihood likelihood({}, {}, {}, 60, kOwners);
+  for (int k = 0; k < scans; ++k) likelihood.push(scan_of(k, {{60.0 + 0.5 * k, 10.0}}));
+  return likelihood;
+}
+
+TEST(PairSeeds, OneTargetIsOneGoodSeed) {
+  ScanLikelihood likelihood = moving_target(20);
+  PairSeeds birth({}, TargetPrior());
+  const auto seeds = birth.propose(likelihood);
+  ASSERT_FALSE(seeds.empty());
+  EXPECT_NEAR(seeds[0].guess.mean[0], 69.5, 1.0);
+  EXPECT_NEAR(seeds[0].guess.mean[1], 10.0, 1.0);
+  EXPECT_NEAR(seeds[0].guess.mean[2], 1.0, 0.3);
+  EXPECT_NEAR(seeds[0].guess.mean[3], 0.0, 0.3);
+  EXPECT_GT(seeds[0].log_odds, 10.0);
+  for (std::size_t i = 1; i < seeds.size(); ++i) EXPECT_LE(seeds[i].log_odds, seeds[0].log_odds);
+}
+
+TEST(PairSeeds, WhatATrackClaimsIsNoSeed) {
+  ScanLikelihood likelihood = moving_target(20);
+  likelihood.set_existence(0, 1.0);
+  for (int age = 0; age < 20; ++age) {
+    const ScanTable& scan = likelihood.scans().at_age(age);
+    const double range = scan.detections[0].range;
+    likelihood.add_claim(age, {0, scan.detections[0].beam, static_cast<float>(range), 1.0F});
+  }
+  PairSeeds birth({}, TargetPrior());
+  EXPECT_TRUE(birth.propose(likelihood).empty());
+}
+
+TEST(PairSeeds, OneScanHasNoPairs) {
+  ScanLikelihood likelihood = moving_target(1);
+  PairSeeds birth({}, TargetPrior());
+  EXPECT_TRUE(birth.propose(likelihood).empty());
+}
+
+// Three exact echoes of a line fix it: position at time 0 is 10, velocity 2.
+TEST(LineFit, IsWeightedLeastSquares) {
+  LineFit fit;
+  for (int k = 0; k < 3; ++k) fit.add({10.0 - 2.0 * k, 5.0}, -1.0 * k, 0.3, 9.0, 1.0, 1.0);
+  const Eigen::Vector4d state = fit.information.inverse() * fit.weighted;
+  EXPECT_NEAR(state[0], 10.0, 1e-9);
+  EXPECT_NEAR(state[1], 5.0, 1e-9);
+  EXPECT_NEAR(state[2], 2.0, 1e-9);
+}
+
+}  // namespace
+}  // namespace lookout::csht

@@ -1,0 +1,143 @@
+#include "csht/likelihood/sensor_figure_estimator.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <stdexcept>
+
+#include "tests/csht/joint/joint_scenes.hpp"
+#include "tests/csht/posed_scans.hpp"
+
+namespace lookout::csht {
+namespace {
+
+using testing::Course;
+const Course kCourse{{80, 10}, {-0.4, 0.6}};
+
+// 120 scans of one course, the target told, `clutter` false alarms in 90 beams and misses of 30 %.
+SensorFigureEstimator watch(const core::SonarParams& given, int clutter, double sigma = 3.0,
+                            int held_scans = 120, const Course& course = kCourse) {
+  core::Random random(1011);
+  const auto scans = testing::scans_of(
+      {course}, 120, {.range_sigma = sigma, .quantise = true, .p_miss = 0.3, .clutter_per_scan = clutter},
+      random);
+  SensorFigureEstimator estimator({}, given);
+  ScanHistory history(estimator.figures(), {}, 20);
+  for (const auto& posed : scans) {
+    history.push(posed);
+    Eigen::Vector4d state;
+    state << course.at(core::seconds(posed.scan.utime)), course.velocity;
+    const std::array samples{state};
+    const std::array targets{KnownTarget{samples, 1.0, held_scans}};
+    estimator.update(history, targets);
+    history.set_figures(estimator.figures());
+  }
+  return estimator;
+}
+
+TEST(SensorFigures, LearnsAllThree) {
+  const auto estimate = watch(testing::sonar(), 20).estimate();
+  // 20 draws over 90 beams fill 90 (1 - (89/90)^20) = 18.0 of them.
+  EXPECT_NEAR(estimate.false_alarm_probability, 18.0 / 90.0, 4.0 * estimate.false_alarm_probability_sigma);
+  // A beam with clutter before the missing target teaches nothing; 4 sigma of about 110 trials.
+  EXPECT_NEAR(estimate.miss_probability, 0.3, 4.0 * estimate.miss_probability_sigma);
+  EXPECT_NEAR(estimate.range_sigma, 3.0, 4.0 * estimate.range_sigma_sigma);
+  EXPECT_LT(estimate.miss_probability_sigma, 0.06);
+  EXPECT_LT(estimate.false_alarm_probability_sigma, 0.006);
+}
+
+// Where it was ten scans ago, the default `settle_scans`, is not known: nothing is learnt of echoes and
+// misses, and P_M stays where it is without any, 0.5 of four trials that have faded.
+TEST(SensorFigures, ATargetThatHasNotBeenThereForLongTeachesNothing) {
+  const auto estimate = watch(testing::sonar(), 20, 3.0, 9).estimate();
+  EXPECT_DOUBLE_EQ(estimate.miss_probability, 0.5);
+  EXPECT_GT(estimate.miss_probability_sigma, 0.2);
+}
+
+// At 149.5 m, 0.43 of the echoes are beyond 150 m: a share of 0.6 of silences, and no more misses than
+// anywhere.
+TEST(SensorFigures, EchoesLostBeyondTheRangeAreNoMisses) {
+  const auto estimate = watch(testing::sonar(), 0, 3.0, 120, {{149.5, 1.0}, {0.0, 0.0}}).estimate();
+  EXPECT_NEAR(estimate.miss_probability, 0.3, 0.15);  // Three sigma of 110 trials of which half tell little.
+}
+
+TEST(SensorFigures, RightFiguresAreUsedAsGiven) {
+  core::SonarParams given = testing::sonar();
+  given.miss_probability = 0.32;
+  given.false_alarm_probability = 0.2;
+  const auto estimator = watch(given, 20);
+  EXPECT_FALSE(estimator.doubts_any());
+  EXPECT_EQ(estimator.figures().miss_probability, 0.32);
+  EXPECT_EQ(estimator.figures().false_alarm_probability, 0.2);
+}
+
+TEST(SensorFigures, WrongFiguresAreFoundOutAndReplaced) {
+  core::SonarParams given = testing::sonar();
+  given.miss_probability = 0.85;
+  given.false_alarm_probability = 0.02;
+  const auto estimator = watch(given, 20);
+  EXPECT_TRUE(estimator.doubts_miss_probability());
+  EXPECT_TRUE(estimator.doubts_false_alarm_probability());
+  EXPECT_NEAR(estimator.figures().false_alarm_probability, 0.2, 0.03);
+}
+
+// A given P_M within the doubt of its own estimate, beside a P_F that ninety beams a scan contradict.
+TEST(SensorFigures, AWrongFalseAlarmProbabilityCastsDoubtOnTheMisses) {
+  core::SonarParams given = testing::sonar();
+  given.miss_probability = 0.32;
+  given.false_alarm_probability = 0.02;
+  const auto estimator = watch(given, 20);
+  EXPECT_FALSE(estimator.doubts_miss_probability());
+  EXPECT_EQ(estimator.figures().miss_probability, estimator.estimate().miss_probability);
+}
+
+TEST(SensorFigures, AWrongRangeSigmaIsFoundOut) {
+  const auto estimator = watch(testing::sonar(), 2, 1.2);  // 3 m is given.
+  EXPECT_TRUE(estimator.doubts_range_sigma());
+  // About 80 echoes at 1.2 m and the given figure's weight of 20 at 3 m: sqrt((80 1.44 + 20 9) / 100) = 1.7.
+  EXPECT_NEAR(estimator.figures().range_sigma, 1.7, 0.3);
+}
+
+TEST(SensorFigures, CountsTheReturnsOfAPointSensor) {
+  core::SonarParams given = testing::sonar();
+  given.clutter_per_scan = 3.0;
+  SensorFigureEstimator estimator({}, given);
+  ScanHistory history(estimator.figures(), {.clutter = ClutterModel::point}, 20);
+  for (const auto& posed : testing::noisy_scans({}, 50, 7, 1012)) {
+    history.push(posed);
+    estimator.update(history, {});
+  }
+  EXPECT_NEAR(estimator.estimate().false_alarm_probability * 90, 7.0, 0.1);
+}
+
+// P_M from 60 scans of a radar in which three targets made two returns, those of the first two; the third
+// stood `apart` [m] behind the first.
+double learnt_misses(double apart) {
+  core::SonarParams radar = testing::sonar();
+  radar.clutter_per_scan = 1.0;
+  radar.resolution = 12.0;
+  SensorFigureEstimator estimator({}, radar);
+  ScanHistory history(estimator.figures(), {.clutter = ClutterModel::point}, 20);
+  const std::array first{Eigen::Vector4d(60.0, 0.0, 0.0, 0.0)}, second{Eigen::Vector4d(20.0, 0.0, 0.0, 0.0)};
+  const std::array third{Eigen::Vector4d(60.0 + apart, 0.0, 0.0, 0.0)};
+  const std::array targets{KnownTarget{first, 1.0, 60}, KnownTarget{second, 1.0, 60},
+                           KnownTarget{third, 1.0, 60}};
+  for (int k = 0; k < 60; ++k) {
+    history.push(posed_scan({{0.0, 60.0, 1}, {0.0, 20.0, 1}}, 500'000 * k));
+    estimator.update(history, targets);
+  }
+  return estimator.estimate().miss_probability;
+}
+
+TEST(SensorFigures, OfTargetsNearerThanTheResolutionAMissTeachesNothing) {
+  EXPECT_NEAR(learnt_misses(40.0), 1.0 / 3.0, 0.03);
+  EXPECT_LT(learnt_misses(11.0), 0.05);  // The second, always heard, teaches alone.
+}
+
+TEST(SensorFigures, RefusesNonsense) {
+  EXPECT_THROW(SensorFigureEstimator({.memory_scans = 0.5}, {}), std::invalid_argument);
+  EXPECT_THROW(SensorFigureEstimator({.doubt_sigmas = 0.0}, {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::csht

@@ -1,0 +1,96 @@
+#include "tools/cli/configuration.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/input_error.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace lookout::tools {
+namespace {
+
+std::string error_of(const Options& options) {
+  try {
+    load_configuration(options);
+  } catch (const core::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+Options with_config(const std::string& path) {
+  Options options;
+  options.config = path;
+  return options;
+}
+
+TEST(Configuration, DefaultsToTheJointTrackerAndEstimator) {
+  const Configuration configuration = load_configuration({});
+  EXPECT_EQ(configuration.tracker.name, "joint");
+  EXPECT_EQ(configuration.estimator.name, "joint");
+  EXPECT_EQ(configuration.lag, 0);
+  EXPECT_FALSE(tracks_images(configuration));
+}
+
+TEST(Configuration, TheFaithfulTrackerBringsTheFaithfulEstimator) {
+  Options options;
+  options.tracker = "csht";
+  EXPECT_EQ(load_configuration(options).estimator.name, "csht");
+  options.estimator = "sht";  // unless one is asked for
+  EXPECT_EQ(load_configuration(options).estimator.name, "sht");
+}
+
+TEST(Configuration, FlagsWinOverTheFile) {
+  const tests::TemporaryDirectory folder;
+  Options options = with_config(folder.write(
+      "c.yaml", "sensor: {range_sigma: 2.0}\nestimator: {name: ransac}\ntracker: {name: gnn}\n"));
+  Configuration configuration = load_configuration(options);
+  EXPECT_EQ(configuration.sensor.range_sigma, 2.0);
+  EXPECT_EQ(configuration.estimator.name, "ransac");
+  EXPECT_EQ(configuration.tracker.name, "gnn");
+  options.tracker = "kalman";
+  options.estimator = "h_pmht";
+  configuration = load_configuration(options);
+  EXPECT_EQ(configuration.tracker.name, "kalman");
+  EXPECT_TRUE(tracks_images(configuration));
+}
+
+TEST(Configuration, LagIsInMicrosecondsAndBounded) {
+  Options options;
+  options.lag = 2.5;
+  EXPECT_EQ(load_configuration(options).lag, 2'500'000);
+  for (const double wrong : {-1.0, 61.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options.lag = wrong;
+    EXPECT_NE(error_of(options).find("--lag: got"), std::string::npos) << wrong;
+  }
+}
+
+TEST(Configuration, MistakesNameThePlaceAndWhatIsAccepted) {
+  const tests::TemporaryDirectory folder;
+  EXPECT_NE(error_of(with_config(folder.write("a.yaml", "tbd: {trunction: zero}\n")))
+                .find("a.yaml:1:7: unknown key `trunction`"),
+            std::string::npos);
+  Options options;
+  options.tracker = "imm";
+  const std::string error = error_of(options);
+  EXPECT_NE(error.find("--tracker: got `imm`, expected one of:"), std::string::npos) << error;
+  EXPECT_NE(error.find("joint"), std::string::npos) << error;
+}
+
+TEST(Configuration, ATrackersOwnBirthMethodServesNoOther) {
+  const tests::TemporaryDirectory folder;
+  const auto file = folder.write("c.yaml", "tracker: {name: csht, initiator: joint}\n");
+  const std::string place =
+      "c.yaml:1:34: initiator: `joint` is the birth method of the tracker `joint` alone";
+  EXPECT_NE(error_of(with_config(file)).find(place), std::string::npos) << error_of(with_config(file));
+  // The flag wins over the file's tracker, for better and worse.
+  Options options = with_config(file);
+  options.tracker = "joint";
+  EXPECT_EQ(load_configuration(options).tracker.initiator, "joint");
+  options = with_config(folder.write("d.yaml", "tracker: {initiator: joint}\n"));
+  options.tracker = "gnn";
+  EXPECT_NE(error_of(options).find("d.yaml:1:22: initiator: `joint`"), std::string::npos)
+      << error_of(options);
+}
+
+}  // namespace
+}  // namespace lookout::tools

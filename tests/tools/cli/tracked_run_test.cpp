@@ -1,0 +1,80 @@
+#include "tools/cli/tracked_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/csv.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace lookout::tools {
+namespace {
+
+core::VehicleState state_at(std::int64_t utime, double north) {
+  core::VehicleState state;
+  state.utime = utime;
+  state.T_earth_body.north = north;
+  return state;
+}
+
+TEST(KeepInOrder, DropsWhatIsNotLaterThanAllBefore) {
+  std::vector<core::VehicleState> vehicle{state_at(10, 1), state_at(30, 2), state_at(20, 3),
+                                          state_at(30, 4), state_at(31, 5)};
+  keep_in_order(vehicle);
+  ASSERT_EQ(vehicle.size(), 3u);
+  EXPECT_EQ(vehicle[0].T_earth_body.north, 1);
+  EXPECT_EQ(vehicle[1].T_earth_body.north, 2);
+  EXPECT_EQ(vehicle[2].T_earth_body.north, 5);
+}
+
+/// One target at (3, 4) m at two times; a track at the origin at the first, none at the second.
+TrackedRun half_missed() {
+  TrackedRun run;
+  for (const std::int64_t utime : {0, 500'000}) {
+    core::GroundTruth truth{utime, {}};
+    truth.targets.push_back({1, {3.0, 4.0}, {0.0, 0.0}, true});
+    run.recording.truth.push_back(truth);
+    run.recording.scans.emplace_back();
+    run.output.tracks.push_back({utime, {}});
+    run.output.elements.push_back({utime, {}});
+  }
+  core::Track track;
+  track.status = core::TrackStatus::confirmed;
+  run.output.tracks[0].tracks.push_back(track);
+  return run;
+}
+
+TEST(WriteTrackedRun, ScoresEveryScanAndSumsUp) {
+  const tests::TemporaryDirectory folder;
+  Options options;
+  options.inputs = {"scene.yaml"};
+  write_tracked_run(folder.path(), half_missed(), {}, options);
+  constexpr std::array<std::string_view, 6> kColumns{"time_s",      "total",     "localization",
+                                                     "cardinality", "num_truth", "num_tracks"};
+  const core::CsvTable table(folder.file("ospa.csv"), kColumns);
+  ASSERT_EQ(table.num_rows(), 2u);
+  EXPECT_EQ(table.number(0, "total"), 5.0);         // the distance
+  EXPECT_EQ(table.number(1, "cardinality"), 20.0);  // the cut-off
+  std::ifstream file(folder.file("summary.json"));
+  const auto summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary["ospa"]["total"], 12.5);
+  EXPECT_EQ(summary["tracked_scans"], 2);
+  EXPECT_EQ(summary["scenario"], "scene.yaml");
+}
+
+TEST(WriteTrackedRun, WithoutTruthThereIsNoScore) {
+  const tests::TemporaryDirectory folder;
+  Options options;
+  options.inputs = {"recording"};
+  TrackedRun run = half_missed();
+  run.recording.truth.clear();
+  write_tracked_run(folder.path(), run, {}, options);
+  EXPECT_FALSE(std::ifstream(folder.file("ospa.csv")).good());
+  std::ifstream file(folder.file("summary.json"));
+  EXPECT_FALSE(nlohmann::json::parse(file).contains("ospa"));
+}
+
+}  // namespace
+}  // namespace lookout::tools

@@ -1,0 +1,44 @@
+#include "tracking/initiation/methods/ag_fht.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/tracking/initiation/initiator_test_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+TEST(AgFht, ACandidateScoresItsHitsAndItsMemberships) {
+  // Four plots 2.5 km apart along the line through the centre of cell (100, 250).
+  const LineGrid grid(200, 400, 150e3);
+  const NormalLine line = grid.centre({100, 250});
+  PlotWindow window;
+  for (int k = 0; k < 4; ++k) {
+    window.begin_scan(5.0 * k);
+    Plot plot;
+    plot.position = line.rho * line.normal() + (2500.0 * k - 3750.0) * line.direction();
+    plot.noise = 1e4 * Eigen::Matrix2d::Identity();
+    window.add(plot);
+  }
+  const auto method = make_ag_fht({});
+  const StartedTracks& started = method->start(window);
+  ASSERT_EQ(started.tracks.size(), 1u);
+  EXPECT_NEAR(started.tracks[0].line.rho, line.rho, 1e-6);
+  // [Zeng2023] Eq. (15): 4 hits, and of each plot 1 + 2 e^-1/2 + 2 e^-2 over five columns; at most 0.16 rows
+  // of 750 m off the line there (3.75 km times 0.0314 rad), which costs less than 0.05 in all.
+  EXPECT_NEAR(started.tracks[0].score, 4.0 + 4.0 * (1.0 + 2.0 * std::exp(-0.5) + 2.0 * std::exp(-2.0)), 0.05);
+}
+
+TEST(AgFht, FewerThanThreePlotsAreNoCandidate) {
+  core::Random random(1024);
+  test::SceneOptions options;
+  options.scans = 2;
+  options.period = 5.0;
+  const auto method = make_ag_fht({});
+  EXPECT_TRUE(method->start(test::scene_of({{{0, 0}, {500, 0}}}, options, random)).tracks.empty());
+}
+
+}  // namespace
+}  // namespace lookout::tracking

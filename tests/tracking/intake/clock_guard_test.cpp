@@ -1,0 +1,71 @@
+#include "tracking/intake/clock_guard.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace lookout::tracking {
+namespace {
+
+using Verdict = ClockGuard::Verdict;
+
+constexpr std::int64_t kSecond = 1'000'000;
+constexpr std::int64_t kHour = 3600 * kSecond;
+
+TEST(ClockGuard, BelievesTimesThatGoOn) {
+  ClockGuard guard;
+  EXPECT_EQ(guard.judge(0), Verdict::in_order);
+  EXPECT_EQ(guard.judge(1), Verdict::in_order);
+  EXPECT_EQ(guard.judge(60 * kSecond), Verdict::in_order);
+}
+
+TEST(ClockGuard, SuspectsRepeatsStepsBackAndLeaps) {
+  ClockGuard guard;
+  guard.judge(10 * kSecond);
+  EXPECT_EQ(guard.judge(10 * kSecond), Verdict::suspect);
+  EXPECT_EQ(guard.judge(9 * kSecond), Verdict::suspect);
+  EXPECT_EQ(guard.judge(10 * kSecond + kHour), Verdict::suspect);
+  EXPECT_EQ(guard.last(), 10 * kSecond);
+}
+
+TEST(ClockGuard, BelievesANewClockAfterFiveConsistentTimes) {
+  for (const std::int64_t jump : {-kHour, kHour}) {
+    ClockGuard guard;
+    guard.judge(2 * kHour);
+    for (int i = 1; i < 5; ++i) EXPECT_EQ(guard.judge(2 * kHour + jump + i * kSecond), Verdict::suspect);
+    EXPECT_EQ(guard.judge(2 * kHour + jump + 5 * kSecond), Verdict::new_clock);
+    EXPECT_EQ(guard.judge(2 * kHour + jump + 6 * kSecond), Verdict::in_order);
+  }
+}
+
+TEST(ClockGuard, StrayTimesAmongGoodOnesNeverMakeAClock) {
+  ClockGuard guard;
+  for (int i = 0; i < 20; ++i) {
+    EXPECT_EQ(guard.judge(kHour + i * kSecond), Verdict::in_order);
+    EXPECT_EQ(guard.judge(i * kSecond), Verdict::suspect);
+  }
+}
+
+TEST(ClockGuard, SuspectsThatDoNotFollowOneAnotherNeverMakeAClock) {
+  ClockGuard guard;
+  guard.judge(100 * kHour);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(guard.judge((50 - i) * kHour), Verdict::suspect);
+}
+
+TEST(ClockGuard, AdoptsSuspectsOnlyNearTheGivenTime) {
+  ClockGuard guard;
+  guard.judge(2 * kHour);
+  EXPECT_FALSE(guard.adopt_suspects_near(0));
+  guard.judge(kSecond);
+  EXPECT_FALSE(guard.adopt_suspects_near(kHour));
+  EXPECT_TRUE(guard.adopt_suspects_near(2 * kSecond));
+  EXPECT_EQ(guard.judge(3 * kSecond), Verdict::in_order);
+}
+
+TEST(ClockGuard, RefusesParamsOutOfRange) {
+  EXPECT_THROW(ClockGuard({0, 5}), std::invalid_argument);
+  EXPECT_THROW(ClockGuard({1, 0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

@@ -1,0 +1,86 @@
+#include "tracking/joint/deletion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/tracking/joint/joint_scenes.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+const Eigen::Vector4d kLine(60.0, 0.5, 1.0, 0.0);
+
+TrackerState empty_sea() {
+  TrackerState state({}, clear_sonar(), 1);
+  state.likelihood.push(scan_of(0, {}));
+  return state;
+}
+
+TEST(Deletion, OfTwoOnOneTargetTheLessProbableEnds) {
+  TrackerState state = empty_sea();
+  csht::TargetTrack& sure = add_track(state, kLine, 5.0);
+  csht::TargetTrack& twin = add_track(state, kLine + Eigen::Vector4d(1.0, 1.0, 0.1, 0.0), 2.0);
+  Deletion({}).end_twins(state);
+  EXPECT_TRUE(sure.used);
+  EXPECT_FALSE(twin.used);
+}
+
+TEST(Deletion, AConfirmedTrackOutlivesATentativeTwinThatIsMoreProbable) {
+  TrackerState state = empty_sea();
+  csht::TargetTrack& old = add_track(state, kLine, 1.0);
+  old.confirmed_once = true;
+  csht::TargetTrack& twin = add_track(state, kLine, 2.0);
+  Deletion({}).end_twins(state);
+  EXPECT_TRUE(old.used);
+  EXPECT_FALSE(twin.used);
+}
+
+TEST(Deletion, NeighboursOnOtherCoursesAreNoTwins) {
+  TrackerState state = empty_sea();
+  add_track(state, kLine, 1.0);
+  csht::TargetTrack& crossing = add_track(state, {60.0, 0.5, 0.0, 1.0}, 1.0);
+  Deletion({}).end_twins(state);
+  EXPECT_TRUE(crossing.used);
+}
+
+TEST(Deletion, TooLittleEvidenceEndsATrackLaterOnceItWasConfirmed) {
+  const LifeParams params;
+  TrackerState state = empty_sea();
+  csht::TargetTrack& tentative = add_track(state, kLine, params.end_log_odds - 1.0);
+  csht::TargetTrack& confirmed = add_track(state, {90.0, 9.0, 0.0, 0.0}, params.end_log_odds - 1.0);
+  confirmed.confirmed_once = true;
+  Deletion(params).end_lives(state);
+  EXPECT_TRUE(tentative.used);
+  EXPECT_FALSE(confirmed.used);
+}
+
+TEST(Deletion, OutOfViewAConfirmedTrackCoastsAndIsKeptInCaseItReturns) {
+  LifeParams params;  // Scans every half second.
+  params.coast_s = 10.0;
+  params.return_s = 15.0;
+  TrackerState state = empty_sea();
+  csht::TargetTrack& track = add_track(state, kLine, 5.0);
+  track.confirmed_once = true;
+  track.visible_share = 0.2;
+  const Deletion ending(params);
+  int scans = 0, coasting = 0;
+  for (; track.used && scans < 100; ++scans) {
+    state.likelihood.push(scan_of(scans + 1, {}));
+    ending.end_lives(state);
+    coasting += track.coasting ? 1 : 0;
+  }
+  EXPECT_EQ(coasting, 19);  // In view at 0 s for the last time; coasting from 0.5 to 9.5 s,
+  EXPECT_EQ(scans, 30);     // kept at 14.5 s, gone at 15 s.
+}
+
+TEST(Deletion, OutOfViewATentativeTrackEndsAtOnce) {
+  TrackerState state = empty_sea();
+  csht::TargetTrack& track = add_track(state, kLine, 5.0);
+  track.visible_share = 0.2;
+  Deletion({}).end_lives(state);
+  EXPECT_FALSE(track.used);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

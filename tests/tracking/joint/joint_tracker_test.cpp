@@ -1,0 +1,98 @@
+#include "tracking/joint/joint_tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/random.hpp"
+#include "tests/support/sonar_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+core::SonarParams known_sonar(double miss, double false_alarm) {
+  core::SonarParams sonar;
+  sonar.miss_probability = miss;
+  sonar.false_alarm_probability = false_alarm;
+  return sonar;
+}
+
+std::vector<core::Track> confirmed(std::span<const core::Track> tracks) {
+  std::vector<core::Track> result;
+  for (const auto& track : tracks)
+    if (track.status == core::TrackStatus::confirmed) result.push_back(track);
+  return result;
+}
+
+TEST(JointTracker, FollowsOneTargetAndCallsItOneTarget) {
+  JointTracker tracker({}, known_sonar(0.1, 0.1), 1);
+  std::span<const core::Track> tracks;
+  for (int k = 0; k < 60; ++k) tracks = tracker.update(scan_of(k, {{60.0 + 0.5 * k, 10.0}}));
+  ASSERT_EQ(confirmed(tracks).size(), 1U);
+  const core::Track track = confirmed(tracks)[0];
+  EXPECT_NEAR(track.state(0), 60.0 + 0.5 * 59, 1.5);
+  EXPECT_NEAR(track.state(1), 10.0, 1.5);
+  EXPECT_NEAR(track.state(2), 1.0, 0.1);
+  EXPECT_GT(track.existence, 0.99);
+}
+
+TEST(JointTracker, ConfirmsWithinThreeSecondsInLightClutter) {
+  JointTracker tracker({}, known_sonar(0.1, 0.1), 1);
+  int first = 100;
+  for (int k = 0; k < 20; ++k)
+    if (!confirmed(tracker.update(scan_of(k, {{60.0 + 0.5 * k, 10.0}}))).empty()) first = std::min(first, k);
+  EXPECT_LE(first, 6);
+}
+
+// In how many of 60 scans one confirmed track stands within 3 m of the only target, where each scan's heading
+// is off by a degree or so, of beams of one degree.
+int followed_with_bad_headings(double heading_sigma) {
+  core::SonarParams sonar = known_sonar(0.1, 0.1);
+  sonar.heading_sigma = heading_sigma;
+  JointTracker tracker({}, sonar, 1);
+  core::Random random(1000);
+  int followed = 0;
+  for (int k = 0; k < 60; ++k) {
+    core::PosedScan scan = scan_of(k, {{60.0 + 0.5 * k, 10.0}});
+    scan.T_earth_sonar.heading = random.gaussian(core::radians(1.0));
+    const auto tracks = confirmed(tracker.update(scan));
+    const Eigen::Vector2d truth(60.0 + 0.5 * k, 10.0);
+    if (tracks.size() == 1 && (tracks[0].position() - truth).norm() < 3.0) ++followed;
+  }
+  return followed;
+}
+
+TEST(JointTracker, FollowsThroughNoisyHeadingsThatItIsToldOf) {
+  const int told = followed_with_bad_headings(core::radians(1.0));
+  EXPECT_GE(told, 50);
+  EXPECT_GT(told, followed_with_bad_headings(0.0) + 10);
+}
+
+TEST(JointTracker, AnEmptySeaHasNoTracks) {
+  JointTracker tracker({}, known_sonar(0.1, 0.1), 1);
+  std::span<const core::Track> tracks;
+  for (int k = 0; k < 40; ++k) tracks = tracker.update(scan_of(k, {}));
+  EXPECT_TRUE(tracks.empty());
+}
+
+TEST(JointTracker, SameSeedSameTracks) {
+  JointTracker first({}, known_sonar(0.1, 0.1), 5), second({}, known_sonar(0.1, 0.1), 5);
+  for (int k = 0; k < 20; ++k) {
+    const auto scan = scan_of(k, {{60.0 + 0.5 * k, 10.0}, {90.0, -30.0}});
+    const auto a = first.update(scan);
+    const auto b = second.update(scan);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].state, b[i].state);
+  }
+}
+
+TEST(JointTracker, RefusesBadParams) {
+  JointTrackerParams params;
+  params.cloud.trajectories = 4;
+  EXPECT_THROW(JointTracker(params, {}, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

@@ -1,0 +1,144 @@
+#include "tracking/node/tracker_node.hpp"
+
+#include <gtest/gtest.h>
+
+#include <lookout/node_status_t.hpp>
+
+#include "core/input_error.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+/// One confirmed and one tentative track at every scan, one motion element, and the sensor's figures.
+class StubTracker final : public Tracker {
+ public:
+  std::span<const core::Track> update(const core::PosedScan&) override { return tracks_; }
+  std::span<const core::MotionElement> elements() const override { return elements_; }
+  std::optional<core::SensorEstimate> sensor_estimate() const override {
+    core::SensorEstimate estimate;
+    estimate.range_sigma = 3.0;
+    return estimate;
+  }
+  StubTracker() {
+    tracks_[0].id = 11;
+    tracks_[0].status = core::TrackStatus::confirmed;
+  }
+
+ private:
+  std::vector<core::Track> tracks_{2};
+  std::vector<core::MotionElement> elements_{1};
+};
+
+class TrackerNodeTest : public ::testing::Test {
+ protected:
+  static TrackerNodeParams params() {
+    TrackerNodeParams params;
+    params.channel_prefix = "AUV1_";
+    params.node_id = 3;
+    params.method = core::EstimatorMethod::joint;
+    params.publish_estimates = true;
+    return params;
+  }
+  TrackerNodeTest() {
+    bus_.subscribe<track_list_t>("AUV1_TRACKS",
+                                 [this](lcmtypes::KeyedTracks tracks) { tracks_.push_back(tracks); });
+    bus_.subscribe<motion_elements_t>(
+        "AUV1_MOTION_ELEMENTS", [this](lcmtypes::KeyedElements elements) { elements_.push_back(elements); });
+    bus_.subscribe<sensor_estimate_t>("AUV1_SENSOR_ESTIMATE", [this](const auto&) { ++sensor_estimates_; });
+    bus_.subscribe<local_estimate_t>(
+        "LOCAL_ESTIMATE", [this](core::LocalEstimate estimate) { estimates_.push_back(estimate); });
+    bus_.subscribe_bytes("AUV1_LOOKOUT_STATUS", [this](auto bytes) {
+      status_ = lcmtypes::decode<node_status_t>(bytes.data(), bytes.size());
+    });
+  }
+  void state(std::int64_t utime) {
+    bus_.publish("AUV1_VEHICLE_STATE",
+                 lcmtypes::to_wire(core::VehicleState{utime, {5.0, 6.0, 0.0}, {0.0, 0.0}}));
+  }
+  void scan(std::int64_t utime, std::int64_t sequence) {
+    core::SonarScan scan;
+    scan.utime = utime;
+    scan.sequence = sequence;
+    scan.sensor_id = 9;
+    scan.bearing_step = 0.1;
+    scan.max_range = 100.0;
+    scan.num_beams = 3;
+    bus_.publish("AUV1_SONAR_SCAN", lcmtypes::to_wire(scan));
+  }
+  /// Lets the node take everything that was published, and the test everything that the node did.
+  void run() {
+    node_.run({.idle_exit = 0.05});
+    bus_.drain();
+  }
+
+  lcmtypes::Bus bus_{"memq://"};
+  std::vector<lcmtypes::KeyedTracks> tracks_;
+  std::vector<lcmtypes::KeyedElements> elements_;
+  std::vector<core::LocalEstimate> estimates_;
+  int sensor_estimates_ = 0;
+  std::optional<node_status_t> status_;
+  TrackerNode node_{bus_, params(), [](const core::SonarParams&) { return std::make_unique<StubTracker>(); },
+                    [](const std::string&) {}};
+};
+
+TEST_F(TrackerNodeTest, PublishesEachResultOnceForEachAcceptedScan) {
+  for (int i = 0; i < 5; ++i) {
+    state(i * kSecond);
+    scan(i * kSecond, i);
+  }
+  run();
+  ASSERT_EQ(tracks_.size(), 5u);
+  ASSERT_EQ(elements_.size(), 5u);
+  EXPECT_EQ(sensor_estimates_, 5);
+  EXPECT_EQ(tracks_[3].key.utime, 3 * kSecond);
+  EXPECT_EQ(tracks_[3].key.sequence, 3);
+  EXPECT_EQ(tracks_[3].key.source_id, 9);
+  EXPECT_EQ(tracks_[3].tracks.size(), 2u);
+  EXPECT_EQ(elements_[3].key.sequence, 3);
+  EXPECT_EQ(elements_[3].method, core::EstimatorMethod::joint);
+}
+
+TEST_F(TrackerNodeTest, PublishesConfirmedTracksAsLocalEstimates) {
+  state(0);
+  scan(0, 0);
+  run();
+  ASSERT_EQ(estimates_.size(), 1u);
+  EXPECT_EQ(estimates_[0].track_id, 11);
+  EXPECT_EQ(estimates_[0].node_id, 3);
+  EXPECT_EQ(estimates_[0].p_earth_node, Eigen::Vector2d(5.0, 6.0));
+  EXPECT_FALSE(estimates_[0].covariance);  // Too long for the thin link unless it is asked for.
+}
+
+TEST_F(TrackerNodeTest, SurvivesHostileInputAndTellsInItsStatus) {
+  state(0);
+  scan(0, 0);
+  bus_.publish("AUV1_SONAR_SCAN", lcmtypes::to_wire(core::VehicleState{}));  // Another type.
+  core::SonarScan damaged;
+  damaged.utime = kSecond;
+  damaged.num_beams = -1;
+  bus_.publish("AUV1_SONAR_SCAN", lcmtypes::to_wire(damaged));
+  scan(0, 0);        // A repeat.
+  scan(kSecond, 4);  // After a loss of three, and without a pose.
+  run();
+  ASSERT_TRUE(status_);
+  EXPECT_EQ(status_->node_id, 3);
+  EXPECT_EQ(status_->node, "lookout track");
+  EXPECT_EQ(status_->accepted, 1);
+  EXPECT_EQ(status_->rejected, 4);
+  EXPECT_EQ(status_->dropped, 3);
+  EXPECT_FALSE(status_->last_error.empty());
+  EXPECT_EQ(tracks_.size(), 1u);
+}
+
+TEST(TrackerNode, RefusesTheNodeIdOfProgramsThatTrackNothing) {
+  lcmtypes::Bus bus("memq://");
+  TrackerNodeParams params;
+  params.node_id = 0;
+  const auto make = [](const core::SonarParams&) { return std::make_unique<StubTracker>(); };
+  EXPECT_THROW(TrackerNode(bus, params, make, [](const std::string&) {}), core::InputError);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

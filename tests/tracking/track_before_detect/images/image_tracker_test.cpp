@@ -1,0 +1,130 @@
+#include "tracking/track_before_detect/images/image_tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "tests/tracking/track_before_detect/image_scene.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+const char* const kOne = "  - {id: 1, north: 80.0, east: 10.0, north_velocity: 0.5, east_velocity: -1.0}\n";
+
+std::vector<core::Track> confirmed(std::span<const core::Track> tracks) {
+  std::vector<core::Track> out;
+  for (const core::Track& track : tracks)
+    if (track.status == core::TrackStatus::confirmed) out.push_back(track);
+  return out;
+}
+
+TEST(ImageTracker, FindsOneTargetWithItsVelocity) {
+  ImageTracker tracker;
+  for (const auto& ping : pings_of(sonar_scene(kOne), 1000)) tracker.update(ping);
+  const auto tracks = confirmed(tracker.tracks());
+  ASSERT_EQ(tracks.size(), 1u);
+  const Eigen::Vector4d truth(80.0 + 0.5 * 29.5, 10.0 - 29.5, 0.5, -1.0);
+  const Eigen::Vector4d error = tracks[0].state - truth;
+  for (int i = 0; i < 4; ++i) EXPECT_LT(std::abs(error[i]), 5.0 * std::sqrt(tracks[0].covariance(i, i))) << i;
+  EXPECT_LT(error.head<2>().norm(), 1.0);
+  EXPECT_GT(tracks[0].existence, 0.995);
+  EXPECT_EQ(tracker.counts().accepted, 60);
+}
+
+TEST(ImageTracker, TheBaselinesFindItToo) {
+  for (const std::string_view name : {"mf_nn", "cfar_nn"}) {
+    ImageTracker tracker(name);
+    for (const auto& ping : pings_of(sonar_scene(kOne, 30.0, 16.0), 1001)) tracker.update(ping);
+    EXPECT_GE(confirmed(tracker.tracks()).size(), 1u) << name;
+  }
+}
+
+TEST(ImageTracker, AnEmptySeaGivesNoTrack) {
+  ImageTracker tracker;
+  for (const auto& ping : pings_of(sonar_scene("", 60.0), 1002))
+    EXPECT_TRUE(confirmed(tracker.update(ping)).empty());
+}
+
+TEST(ImageTracker, CrossingTargetsStayTwo) {
+  ImageTracker tracker;
+  const auto pings = pings_of(sonar_scene("  - {id: 1, north: 70.0, east: -15.0, east_velocity: 1.0}\n"
+                                          "  - {id: 2, north: 72.0, east: 15.0, east_velocity: -1.0}\n",
+                                          30.0, 16.0),
+                              1003);
+  for (const auto& ping : pings) tracker.update(ping);
+  const auto tracks = confirmed(tracker.tracks());
+  ASSERT_EQ(tracks.size(), 2u);
+  for (const auto& track : tracks) EXPECT_NEAR(std::abs(track.velocity().y()), 1.0, 0.4);
+}
+
+TEST(ImageTracker, ATargetThatLeavesCoastsAndEnds) {
+  ImageTracker tracker;
+  // It passes the right edge of the sector (bearing 45 degrees) after about 10 s and is kept for 10 s more.
+  const auto pings =
+      pings_of(sonar_scene("  - {id: 1, north: 50.0, east: 35.0, east_velocity: 1.5}\n", 40.0, 16.0), 1004);
+  std::set<core::TrackStatus> seen;
+  for (const auto& ping : pings)
+    for (const auto& track : tracker.update(ping)) seen.insert(track.status);
+  EXPECT_TRUE(seen.contains(core::TrackStatus::confirmed));
+  EXPECT_TRUE(seen.contains(core::TrackStatus::coasting));
+  EXPECT_TRUE(confirmed(tracker.tracks()).empty());
+}
+
+TEST(ImageTracker, AGapOfFramesIsBridged) {
+  ImageTracker tracker;
+  const auto pings = pings_of(sonar_scene(kOne, 30.0, 16.0), 1005);
+  std::set<std::int64_t> ids;
+  for (std::size_t k = 0; k < pings.size(); ++k) {
+    if (k >= 30 && k < 34) continue;  // four pings lost
+    for (const auto& track : confirmed(tracker.update(pings[k]))) ids.insert(track.id);
+  }
+  EXPECT_EQ(ids.size(), 1u);
+}
+
+TEST(ImageTracker, DamagedImagesAreCountedAndLeaveTheTracks) {
+  ImageTracker tracker;
+  const auto pings = pings_of(sonar_scene(kOne, 10.0), 1006);
+  for (const auto& ping : pings) tracker.update(ping);
+  const auto before = tracker.tracks().size();
+  core::PosedImage bad = pings.back();
+  bad.image.utime += 500000;
+  bad.image.intensity[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(tracker.update(bad).size(), before);
+  bad.image.intensity.pop_back();
+  tracker.update(bad);
+  EXPECT_EQ(tracker.counts().damaged, 2);
+  tracker.update(pings.front());
+  EXPECT_EQ(tracker.counts().out_of_order, 1);
+  EXPECT_EQ(tracker.counts().accepted, 20);
+}
+
+TEST(ImageTracker, DarkAndSaturatedImagesGiveNoTrack) {
+  for (const double value : {0.0, 32767.0}) {
+    ImageTracker tracker;
+    auto pings = pings_of(sonar_scene("", 10.0), 1007);
+    for (auto& ping : pings) {
+      ping.image.intensity.assign(ping.image.intensity.size(), value);
+      EXPECT_TRUE(confirmed(tracker.update(ping)).empty());
+    }
+  }
+}
+
+TEST(ImageTracker, ResetForgetsTracksButNoId) {
+  ImageTracker tracker;
+  const auto pings = pings_of(sonar_scene(kOne, 10.0), 1008);
+  std::int64_t last_id = 0;
+  for (const auto& ping : pings)
+    for (const auto& track : tracker.update(ping)) last_id = std::max(last_id, track.id);
+  tracker.reset();
+  EXPECT_TRUE(tracker.tracks().empty());
+  for (const auto& track : tracker.update(pings.front())) EXPECT_GT(track.id, last_id);
+}
+
+TEST(ImageTracker, RefusesAnUnknownMethod) {
+  EXPECT_THROW(ImageTracker("kalman"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::tracking

@@ -1,0 +1,88 @@
+#include "tools/cli/configuration.hpp"
+
+#include <algorithm>
+
+#include "core/csv.hpp"
+#include "core/input_error.hpp"
+#include "core/yaml_reader.hpp"
+#include "tracking/tracking_chain.hpp"
+
+namespace lookout::tools {
+namespace {
+
+constexpr const char* kDefaultTracker = "joint";
+
+/// The faithful tracker is driven by the faithful estimator; beside every other tracker stands the best one.
+std::string default_estimator(const std::string& tracker) {
+  return tracker == "csht" ? "csht" : "joint";
+}
+constexpr const char* kImageEstimator = "h_pmht";
+
+/// @param chosen_tracker by a flag; empty: by the file.
+void read_tracker(const core::YamlMap& map, const std::string& chosen_tracker,
+                  tracking::TrackerParams& params) {
+  tracking::read_tracker_params(map, params);
+  const std::string& tracker = chosen_tracker.empty() ? params.name : chosen_tracker;
+  const auto trackers = tracking::tracker_names();
+  if (params.initiator != tracker &&
+      std::find(trackers.begin(), trackers.end(), params.initiator) != trackers.end())
+    map.fail("initiator", "`" + params.initiator + "` is the birth method of the tracker `" +
+                              params.initiator + "` alone, not of `" + tracker + "`");
+}
+
+void read_configuration(const core::YamlMap& map, const std::string& chosen_tracker,
+                        Configuration& configuration) {
+  if (const auto part = map.map("sensor")) core::read_sonar_params(*part, configuration.sensor);
+  if (const auto part = map.map("estimator")) csht::read_estimator_params(*part, configuration.estimator);
+  if (const auto part = map.map("tracker")) read_tracker(*part, chosen_tracker, configuration.tracker);
+  if (const auto part = map.map("initiator")) tracking::read_initiator_config(*part, configuration.initiator);
+  if (const auto part = map.map("output")) tracking::read_output_params(*part, configuration.tracker);
+  if (const auto part = map.map("tbd")) tracking::read_tbd_params(*part, configuration.tbd);
+  if (const auto part = map.map("fusion")) fusion::read_fusion_params(*part, configuration.fusion);
+  map.finish();
+}
+
+/// The registry name that a flag gives, checked against the registry.
+void apply_name(const std::string& flag, const std::string& given, const std::vector<std::string>& names,
+                std::string& name) {
+  if (given.empty()) return;
+  std::string accepted;
+  for (const auto& known : names) accepted += " " + known;
+  if (std::find(names.begin(), names.end(), given) == names.end())
+    throw core::InputError(flag + ": got `" + given + "`, expected one of:" + accepted);
+  name = given;
+}
+
+/// --lag in microseconds.
+std::int64_t lag_of(const Options& options) {
+  const double lag = options.lag.value_or(0.0);
+  if (!(lag >= 0.0 && lag <= core::seconds(tracking::ChainParams::kMaxLag)))
+    throw core::InputError("--lag: got " + core::shortest(lag) + ", expected 0 to 60 s");
+  return core::microseconds(lag);
+}
+
+}  // namespace
+
+Configuration load_configuration(const Options& options) {
+  Configuration configuration;
+  configuration.tracker.name = kDefaultTracker;
+  configuration.estimator.name.clear();  // not chosen yet
+  if (!options.config.empty())
+    read_configuration(core::YamlMap::load_file(options.config), options.tracker, configuration);
+  std::vector<std::string> estimators = csht::estimator_names();
+  estimators.emplace_back(kImageEstimator);
+  apply_name("--estimator", options.estimator, estimators, configuration.estimator.name);
+  apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
+  configuration.explain = options.explain;
+  configuration.lag = lag_of(options);
+  if (configuration.estimator.name.empty())
+    configuration.estimator.name = default_estimator(configuration.tracker.name);
+  configuration.tracker.births = configuration.initiator;
+  return configuration;
+}
+
+bool tracks_images(const Configuration& configuration) {
+  return configuration.estimator.name == kImageEstimator;
+}
+
+}  // namespace lookout::tools

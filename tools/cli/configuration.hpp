@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/sonar_params.hpp"
+#include "csht/estimator_registry.hpp"
+#include "fusion/fusion_params.hpp"
+#include "tools/cli/options.hpp"
+#include "tracking/track_before_detect/frames/frame_tracker_registry.hpp"
+#include "tracking/tracker_registry.hpp"
+
+namespace lookout::tools {
+
+/// Everything that --config can set, before a recording's sonar.yaml and after the defaults.
+struct Configuration {
+  core::SonarParams sensor;
+  csht::EstimatorParams estimator;
+  tracking::TrackerParams tracker;
+  tracking::TbdParams tbd;
+  tracking::InitiatorConfig initiator;
+  bool explain = false;  ///< Log every track decision.
+  std::int64_t lag = 0;  ///< Delay of the output [us], in [0, tracking::ChainParams::kMaxLag].
+  fusion::FusionParams fusion;
+};
+
+/// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.
+/// @throws core::InputError naming file, line, column and key, or the flag.
+Configuration load_configuration(const Options& options);
+
+/// Whether the estimator is the one that works on raw images in place of the whole chain.
+bool tracks_images(const Configuration& configuration);
+
+}  // namespace lookout::tools

@@ -1,0 +1,43 @@
+#include "tools/cli/paths.hpp"
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "core/input_error.hpp"
+#include "tools/cli/log.hpp"
+
+extern char** environ;
+
+namespace lookout::tools {
+
+std::string tools_directory() {
+  if (const char* given = std::getenv("LOOKOUT_TOOLS")) return given;
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  const auto installed = program.parent_path().parent_path() / "share/lookout/tools";
+  if (!error && std::filesystem::is_directory(installed)) return installed.string();
+  return LOOKOUT_TOOLS_DIR;
+}
+
+void make_directory(const std::string& path) {
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw core::InputError(path + ": cannot be created: " + error.message());
+}
+
+void run_plot_script(const std::string& script, const std::vector<std::string>& arguments) {
+  std::vector<std::string> words{"/usr/bin/python3", tools_directory() + "/" + script};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (auto& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_t child = 0;
+  int status = -1;
+  if (posix_spawn(&child, argv[0], nullptr, nullptr, argv.data(), environ) == 0) waitpid(child, &status, 0);
+  if (status != 0) log_warning(script + " made no plots (python3-matplotlib draws them)");
+}
+
+}  // namespace lookout::tools

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/recording.hpp"
+#include "tools/cli/configuration.hpp"
+#include "tracking/track_before_detect/images/image_chain.hpp"
+#include "tracking/tracking_chain.hpp"
+
+namespace lookout::tools {
+
+/// Makes the tracker that the configuration names, for a sensor of any geometry.
+tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configuration, std::uint64_t seed);
+
+/// What tracking a stream of scans gives.
+struct ChainOutput {
+  std::vector<core::TrackList> tracks;      ///< One list an accepted scan, empty ones included.
+  std::vector<core::ElementList> elements;  ///< Likewise.
+};
+
+/// The on-vehicle chain in one process, its output kept: vehicle states and scans in, in order of arrival;
+/// tracks out. What the intake has to say goes to the log.
+class RecordedChain {
+ public:
+  RecordedChain(const Configuration& configuration, std::uint64_t seed);
+
+  void add(const core::VehicleState& state) { chain_.add(state); }
+  void add(const core::SonarScan& scan) { chain_.add(scan); }
+  void finish() { chain_.finish(); }
+
+  const ChainOutput& output() const { return output_; }
+  const tracking::IntakeCounts& counts() const { return chain_.counts(); }
+
+ private:
+  ChainOutput output_;
+  tracking::TrackingChain chain_;
+};
+
+/// The same for raw images and track-before-detect.
+class RecordedImageChain {
+ public:
+  explicit RecordedImageChain(const Configuration& configuration);
+
+  void add(const core::VehicleState& state) { chain_.add(state); }
+  void add(const core::SonarImage& image) { chain_.add(image); }
+  void finish() { chain_.finish(); }
+
+  const ChainOutput& output() const { return output_; }
+  const tracking::IntakeCounts& counts() const { return chain_.counts(); }
+
+ private:
+  ChainOutput output_;
+  tracking::ImageChain chain_;
+};
+
+/// One line: scans tracked, and what was rejected or lost where anything was.
+std::string describe(const tracking::IntakeCounts& counts);
+
+}  // namespace lookout::tools

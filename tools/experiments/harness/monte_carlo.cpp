@@ -1,0 +1,174 @@
+#include "tools/experiments/harness/monte_carlo.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "core/input_error.hpp"
+#include "tools/cli/progress_bar.hpp"
+#include "tools/experiments/harness/run_log.hpp"
+
+namespace lookout::tools {
+namespace {
+
+std::optional<double> as_number(const std::string& text) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+bool matches(const Cell& cell, const Filter& filter) {
+  if (filter.key == "method") return cell.method == filter.value;
+  if (!cell.parameters.has(filter.key)) return false;
+  for (const auto& [name, value] : cell.parameters.values()) {
+    if (name != filter.key) continue;
+    if (const auto* text = std::get_if<std::string>(&value)) return *text == filter.value;
+    return as_number(filter.value) == std::get<double>(value);
+  }
+  return false;
+}
+
+struct Task {
+  std::size_t cell = 0;
+  int run = 0;
+};
+
+std::vector<Task> make_tasks(const std::vector<Cell>& cells, int runs) {
+  std::vector<Task> tasks;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    for (int run = 0; run < std::min(runs, cells[cell].max_runs); ++run) tasks.push_back({cell, run});
+  }
+  return tasks;
+}
+
+/// All finished runs: element [cell][run]. Threads write to elements of their own.
+using RunTable = std::vector<std::vector<std::optional<Metrics>>>;
+
+/// The run loop. Tasks share nothing but the counter, the first error and the log; under MPI each rank would
+/// take a slice of `tasks` and send its rows of `table` home.
+void run_tasks(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<Task>& tasks,
+               const MonteCarloOptions& options, RunLog& log, RunTable& table) {
+  std::atomic<std::size_t> next{0}, done{0};
+  std::mutex mutex;
+  std::exception_ptr failure;
+  ProgressBar bar(tasks.size());
+  const auto work = [&] {
+    for (std::size_t i = next++; i < tasks.size(); i = next++) {
+      const auto [cell, run] = tasks[i];
+      auto& slot = table[cell][static_cast<std::size_t>(run)];
+      try {
+        if (!slot) {
+          slot = experiment.run(cells[cell], options.seed, run);
+          const std::lock_guard lock(mutex);
+          log.append(cells[cell], run, *slot);
+        }
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        if (!failure) failure = std::current_exception();
+        next = tasks.size();
+      }
+      const std::lock_guard lock(mutex);
+      bar.show(++done);
+    }
+  };
+  const auto cores = std::max(1U, std::thread::hardware_concurrency());
+  const auto jobs = options.jobs > 0 ? static_cast<unsigned>(options.jobs) : cores;
+  std::vector<std::jthread> threads;
+  for (unsigned k = 1; k < jobs; ++k) threads.emplace_back(work);
+  work();
+  threads.clear();
+  if (failure) std::rethrow_exception(failure);
+}
+
+CellResult pool_cell(const Experiment& experiment, const Cell& cell,
+                     const std::vector<std::optional<Metrics>>& runs) {
+  std::map<std::string, std::vector<Metric>> values;
+  for (const auto& run : runs) {
+    if (!run) continue;
+    for (const auto& [name, metric] : *run) values[name].push_back(metric);
+  }
+  CellResult result{cell, {}};
+  for (const auto& [name, metrics] : values) {
+    const Estimate estimate = pool(metrics, experiment.pooling(name));
+    if (estimate.runs > 0) result.metrics[name] = estimate;
+  }
+  experiment.complete(result.metrics);
+  return result;
+}
+
+}  // namespace
+
+std::vector<Filter> parse_filters(const std::vector<std::string>& words) {
+  std::vector<Filter> filters;
+  for (const auto& word : words) {
+    const auto equals = word.find('=');
+    if (equals == std::string::npos || equals == 0)
+      throw core::InputError("--only " + word + ": expected KEY=VALUE, as in p_miss=0.3");
+    filters.push_back({word.substr(0, equals), word.substr(equals + 1)});
+  }
+  return filters;
+}
+
+bool passes(const Cell& cell, const std::vector<Filter>& filters) {
+  return std::all_of(filters.begin(), filters.end(), [&](const Filter& wanted) {
+    return std::any_of(filters.begin(), filters.end(),
+                       [&](const Filter& other) { return other.key == wanted.key && matches(cell, other); });
+  });
+}
+
+Estimate pool(const std::vector<Metric>& runs, Pooling pooling) {
+  const bool square = pooling == Pooling::root_mean_square;
+  double weights = 0.0, sum = 0.0;
+  int count = 0;
+  for (const auto& run : runs) {
+    if (!std::isfinite(run.value) || run.weight <= 0.0) continue;
+    weights += run.weight;
+    sum += run.weight * (square ? run.value * run.value : run.value);
+    ++count;
+  }
+  if (count == 0) return {};
+  const double mean = sum / weights;
+  double spread = 0.0;  // of a ratio of sums over independent runs, linearised
+  for (const auto& run : runs) {
+    if (!std::isfinite(run.value) || run.weight <= 0.0) continue;
+    const double deviation = run.weight * ((square ? run.value * run.value : run.value) - mean);
+    spread += deviation * deviation;
+  }
+  const double n = count;
+  const double error = count > 1 ? std::sqrt(spread * n / (n - 1.0)) / weights : std::nan("");
+  if (!square) return {mean, 1.96 * error, count};
+  const double root = std::sqrt(mean);
+  return {root, root > 0.0 ? 1.96 * error / (2.0 * root) : 0.0, count};
+}
+
+ExperimentResults run_monte_carlo(const Experiment& experiment, const std::string& name,
+                                  const MonteCarloOptions& options) {
+  std::vector<Cell> cells;
+  for (const auto& cell : experiment.cells()) {
+    if (passes(cell, options.only)) cells.push_back(cell);
+  }
+  if (cells.empty()) throw core::InputError("--only: no cell of " + name + " has these values");
+
+  RunTable table(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    table[i].resize(static_cast<std::size_t>(std::min(options.runs, cells[i].max_runs)));
+  RunLog log(options.progress_file, name, options.seed, options.resume);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    for (std::size_t run = 0; run < table[i].size(); ++run)
+      table[i][run] = log.find(cells[i], static_cast<int>(run));
+  }
+  run_tasks(experiment, cells, make_tasks(cells, options.runs), options, log, table);
+
+  ExperimentResults results{name, options.seed, options.runs, {}};
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    results.cells.push_back(pool_cell(experiment, cells[i], table[i]));
+  return results;
+}
+
+}  // namespace lookout::tools

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "core/track.hpp"
+#include "tools/experiments/harness/experiment.hpp"
+#include "tools/experiments/harness/simulated_run.hpp"
+#include "tracking/tracker.hpp"
+
+namespace lookout::tools {
+
+/// What a tracker said at every scan, and what it took.
+struct TrackingOutput {
+  /// Index by index with the scans; fewer under delayed output, whose last scans have no answer in time.
+  std::vector<std::vector<core::Track>> tracks;
+  double time_ms = 0.0;  ///< Mean processor time of one update [ms].
+};
+
+/// The seed of a tracker in one run of an experiment, of a stream that the simulator does not use.
+std::uint64_t run_seed(std::uint64_t seed, int run);
+
+/// Runs a tracker over all scans of a run.
+/// @param lag_s how long after a scan its tracks are asked for [s]; above 0 of trackers that can retrodict.
+TrackingOutput track(tracking::Tracker& tracker, const std::vector<TimedScan>& scans, double lag_s = 0.0);
+
+/// All metrics of the tracking experiments: OSPA and its parts against the visible truth (`ospa_schedule`
+/// against the schedule), GOSPA and its parts, and how the targets were followed.
+Metrics score(const std::vector<TimedScan>& scans, const TrackingOutput& output);
+
+}  // namespace lookout::tools

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/sonar_params.hpp"
+#include "tools/experiments/harness/simulated_run.hpp"
+
+namespace lookout::tools {
+
+/// Writes what the joint estimator makes of one window, step by step, for a picture: joint_echoes.csv
+/// (time_s,north_m,east_m), joint_truth.csv, joint_seeds.csv and joint_clusters.csv
+/// (north_m,east_m,north_velocity_mps,east_velocity_mps,weight) and joint_elements.csv. The weight is the
+/// log-likelihood ratio of a seed and the log odds of a cluster [nats]; states at the newest scan.
+void write_joint_window(const std::vector<TimedScan>& scans, const core::SonarParams& sonar,
+                        std::uint64_t seed, const std::string& directory);
+
+/// The echoes of a window in the earth frame, time_s,north_m,east_m.
+void write_echoes(const std::vector<TimedScan>& scans, const std::string& path);
+
+}  // namespace lookout::tools

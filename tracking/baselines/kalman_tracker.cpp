@@ -1,0 +1,103 @@
+#include "tracking/baselines/kalman_tracker.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "core/field_of_view.hpp"
+#include "csht/scan_to_detections.hpp"
+#include "tracking/association/gating.hpp"
+#include "tracking/initiation/proposed_births.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+/// The printed 2 sigma / Ts^2 is read as the variance of the acceleration. As its standard deviation, 24
+/// m/s^2, no filter has a range error below sqrt(.85) sigma = 2.8 m, twice the paper's localisation of this
+/// baseline.
+PaperKalmanParams noises_of(const core::SonarParams& sonar) {
+  PaperKalmanParams params;
+  params.process_sigma = std::sqrt(2.0 * sonar.range_sigma) / sonar.scan_period;
+  params.position_sigma = sonar.range_sigma;
+  return params;
+}
+
+}  // namespace
+
+KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar,
+                             std::unique_ptr<BirthMethod> births)
+    : params_(params),
+      sonar_(sonar),
+      gate_(chi_square_gate(params.gate_probability, 2)),
+      book_(params.life),
+      births_(std::move(births)),
+      filter_(noises_of(sonar)),
+      choose_([this](const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation) {
+        return nearest(predicted, innovation);
+      }) {
+  if (!(params.gate_distance > 0.0))
+    throw std::invalid_argument("gate_distance must be > 0, got " + std::to_string(params.gate_distance));
+}
+
+std::span<const core::Track> KalmanTracker::update(const core::PosedScan& scan) {
+  const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
+  csht::scan_to_detections(scan, 0, detections_);
+  free_detection_.assign(detections_.size(), 1);
+  supported_.assign(book_.tracks().size(), 0);
+  const double seconds = core::seconds(scan.scan.utime - utime_);
+  utime_ = scan.scan.utime;
+  filter(seconds, true);
+  filter(seconds, false);
+  book_.step(scan, sonar, supported_);
+  if (births_ != nullptr)
+    begin_on_proposals(*births_, scan, sonar, book_);
+  else
+    begin_on_free_detections();
+  rate();
+  return book_.tracks();
+}
+
+void KalmanTracker::filter(double seconds, bool confirmed) {
+  const auto tracks = book_.tracks();
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    if ((tracks[i].status != core::TrackStatus::tentative) != confirmed) continue;
+    supported_[i] = filter_.iterate(tracks[i], seconds, choose_);
+    if (supported_[i]) tracks[i].last_detection_utime = utime_;
+  }
+}
+
+std::optional<Eigen::Vector2d> KalmanTracker::nearest(const Eigen::Vector2d& predicted,
+                                                      const Eigen::Matrix2d& innovation) {
+  std::optional<std::size_t> best;
+  double best_distance = gate_;
+  for (std::size_t j = 0; j < detections_.size(); ++j) {
+    const Eigen::Vector2d difference = detections_[j].p_earth - predicted;
+    if (!free_detection_[j] || difference.norm() >= params_.gate_distance) continue;
+    const double distance = squared_distance(difference, innovation);
+    if (distance >= best_distance) continue;
+    best = j;
+    best_distance = distance;
+  }
+  if (!best) return std::nullopt;
+  free_detection_[*best] = 0;
+  return detections_[*best].p_earth;
+}
+
+void KalmanTracker::begin_on_free_detections() {
+  for (std::size_t j = 0; j < detections_.size(); ++j) {
+    if (!free_detection_[j]) continue;
+    const Eigen::Vector2d& position = detections_[j].p_earth;
+    book_.begin(utime_, {position.x(), position.y(), 0.0, 0.0}, filter_.initial_covariance());
+  }
+}
+
+void KalmanTracker::rate() {
+  // As in the GNN baseline: confirmed counts as sure, tentative as a share of M below one half.
+  const auto tracks = book_.tracks();
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const double share = 0.5 * book_.life(i).hits() / (params_.life.confirm_hits + 1.0);
+    tracks[i].existence = tracks[i].status == core::TrackStatus::tentative ? share : 1.0;
+  }
+}
+
+}  // namespace lookout::tracking

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/detection.hpp"
+#include "core/sonar_params.hpp"
+#include "tracking/baselines/paper_kalman_filter.hpp"
+#include "tracking/initiation/birth_method.hpp"
+#include "tracking/management/trajectory_book.hpp"
+#include "tracking/tracker.hpp"
+
+namespace lookout::tracking {
+
+/// The baseline of [Yan2018] Sec. V.C. What the paper leaves open is the gate and when a track is confirmed
+/// and dropped; how they were chosen stands in docs/tracking.md.
+struct KalmanParams {
+  double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
+  /// Largest distance from a prediction to its detection [m], > 0: with this process noise the statistical
+  /// gate of a track that was missed twice covers much of the sector.
+  double gate_distance = 10.0;
+  TrackLifeParams life{
+      .confirm_hits = 4, .confirm_scans = 8, .max_misses = 6.0, .first_misses = 6.0, .misses_per_hit = 0.0};
+};
+
+/// A Kalman filter a target and nearest-neighbour association: each track in turn, the confirmed ones first,
+/// takes the free detection nearest to its prediction.
+class KalmanTracker : public Tracker {
+ public:
+  /// The noises follow from the sonar: an acceleration of variance 2 sigma / Ts^2, and sigma.
+  /// @throws std::invalid_argument on a parameter out of range.
+  KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar,
+                std::unique_ptr<BirthMethod> births = nullptr);
+
+  std::span<const core::Track> update(const core::PosedScan& scan) override;
+
+ private:
+  void filter(double seconds, bool confirmed);
+  std::optional<Eigen::Vector2d> nearest(const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation);
+  void begin_on_free_detections();
+  void rate();
+
+  KalmanParams params_;
+  core::SonarParams sonar_;
+  double gate_;
+  TrajectoryBook book_;
+  std::unique_ptr<BirthMethod> births_;  ///< Where tracks begin in place of free detections; may be null.
+  std::vector<core::Detection> detections_;
+  std::vector<char> free_detection_, supported_;
+  PaperKalmanFilter filter_;
+  PaperKalmanFilter::Choose choose_;
+  std::int64_t utime_ = 0;
+};
+
+}  // namespace lookout::tracking

@@ -1,0 +1,39 @@
+// Source: modified logic-based initiation of Su and Wang, as compared against by [Zeng2023] section 3.2.
+#pragma once
+
+#include <memory>
+
+#include "tracking/initiation/initiator.hpp"
+#include "tracking/initiation/initiator_config.hpp"
+#include "tracking/initiation/plots/gate_logic.hpp"
+
+namespace lookout::tracking {
+
+struct ModifiedLogicParams {
+  GateLogicParams gates;  ///< Ellipse only, from the last two plots.
+  int min_plots = 3;      ///< Plots of a track, >= 2: three of four.
+  int window_scans = 4;
+};
+
+/// Logic-based initiation: an annulus, then the ellipse and the largest turn around the straight continuation
+/// of the last two plots, nearest plot first; enough plots make a track. Cost: plots x gate.
+class ModifiedLogicInitiator : public Initiator {
+ public:
+  /// @throws std::invalid_argument on a value out of range.
+  explicit ModifiedLogicInitiator(const ModifiedLogicParams& params);
+
+  const StartedTracks& start(const PlotWindow& window) override;
+  int window_scans() const override { return params_.window_scans; }
+
+ private:
+  ModifiedLogicParams params_;
+  GateLogic gates_;
+  StartedTracks started_;
+};
+
+/// Keys: `min_speed`, `max_speed`, `gate_margin`, `max_turn_deg`, `acceleration_sigma`, `min_plots`,
+/// `window_scans`. Variants: `polar` (default: the plots' own noise) and `isotropic` (25000 m^2 along both
+/// axes, as in the authors' program).
+std::unique_ptr<Initiator> make_modified_logic(const InitiatorConfig& config);
+
+}  // namespace lookout::tracking

@@ -1,0 +1,71 @@
+// Source: Fan, Xie, Pei, Hu, Li, "Neutrosophic Hough Transform-Based Track Initiation ...", IEEE Access,
+// 2018.
+#pragma once
+
+#include <memory>
+
+#include "tracking/initiation/initiator.hpp"
+#include "tracking/initiation/initiator_config.hpp"
+#include "tracking/initiation/lines/line_voting.hpp"
+#include "tracking/initiation/lines/pair_points.hpp"
+
+namespace lookout::tracking {
+
+/// Which cells a pair votes for.
+enum class NhtVote {
+  cell,   ///< Its own alone: Eq. (23), (31) to the letter.
+  spread  ///< All of its neighbourhood, with the membership of Eq. (15): the abstract; the only one that
+          ///< gives the paper's Table 2.
+};
+
+struct NhtTiParams {
+  LineVotingParams lines;
+  SpeedLimits speeds = kFanSpeeds;
+  NhtVote vote = NhtVote::spread;
+  bool chained = false;                   ///< A kernel counts only for pairs that begin at its newer plot.
+  double false_alarm_probability = 0.01;  ///< P_F, in [0, 1). [Fan2018] section V.
+  double false_degree_factor = 1.0;       ///< lambda_k of Eq. (29), >= 0; the paper gives no value.
+  double least_vote = 1e-3;               ///< Weaker votes are left out, >= 0.
+};
+
+/// The neutrosophic Hough transform: a pair of plots votes as strongly as the pairs of the step before agree
+/// with it: the largest of its degrees of true, uncertain and false association. Cost: pairs x (pairs of the
+/// step before with nearly the same theta + cells of the neighbourhood). Refuses windows of more than
+/// `kMaxPairs` pairs.
+class NhtTiInitiator : public HoughInitiator {
+ public:
+  static constexpr std::int64_t kMaxPairs = 200'000;  ///< About a second.
+
+  /// @throws std::invalid_argument on a value out of range.
+  explicit NhtTiInitiator(const NhtTiParams& params);
+
+  const StartedTracks& start(const PlotWindow& window) override;
+  int window_scans() const override { return params_.lines.window_scans; }
+  const LineGrid& grid() const override { return grid_; }
+  void append_cells(std::vector<LineVote>& cells) const override;
+
+ private:
+  bool vote(const PlotWindow& window);
+  void take_step(const std::vector<PairPoint>& step);
+  double degree_of(const PairPoint& pair);
+  void spread_vote(const NormalLine& line, double weight);
+  double membership(const NormalLine& apart) const;
+
+  NhtTiParams params_;
+  PairFormation formation_;
+  LineGrid grid_;
+  SparseAccumulator votes_;
+  std::vector<PairPoint> kernels_;     ///< Pairs of the step before, by rising theta.
+  std::vector<NormalLine> competing_;  ///< Kernels around the pair at hand, relative to it.
+  std::vector<PairPoint> voters_;
+  std::vector<double> row_membership_;
+  std::vector<LineVote> candidates_;
+  LineTrackBuilder builder_;
+  StartedTracks started_;
+};
+
+/// Keys: `min_speed`, `max_speed`, `gate_margin` and those of LineVotingParams. Variants: `spread` (default),
+/// `cell`, `spread_chained`, `cell_chained`.
+std::unique_ptr<Initiator> make_nht_ti(const InitiatorConfig& config);
+
+}  // namespace lookout::tracking

@@ -1,0 +1,99 @@
+// Source: our own, velocity-consistent tracklets; docs/initiators.md. The threshold follows the a-contrario
+// idea of Desolneux, Moisan, Morel, "Meaningful alignments", IJCV, 2000.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "tracking/initiation/initiator.hpp"
+#include "tracking/initiation/initiator_config.hpp"
+#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/plot_index.hpp"
+#include "tracking/initiation/plots/track_fit.hpp"
+
+namespace lookout::tracking {
+
+struct VctParams {
+  SpeedLimits speeds = kFanSpeeds;
+  MotionModelParams motion{1.0};           ///< [Zeng2023] section 3.1.
+  int window_scans = 4;                    ///< N, >= 3.
+  int min_plots = 4;                       ///< K of N, in 3 .. window_scans.
+  int max_consecutive_misses = 3;          ///< In a row, >= 0; never more than N - K in all.
+  double gate_probability = 0.999;         ///< Share of true plots inside a gate, in (0, 1).
+  double chain_probability = 0.99;         ///< Share of true chains whose chi-square passes, in (0, 1).
+  double margin_sigmas = 3.0;              ///< How far noise widens the limits of speed, in its sigmas, >= 0.
+  double max_false_tracks = 0.2;           ///< Chains of clutter alone expected per window, > 0.
+  int max_branches_per_plot = 16;          ///< The best that are kept for each newest plot, >= 1.
+  int max_branches = 400'000;              ///< More in one window are refused, >= 1: about 120 MB.
+  std::optional<double> clutter_per_area;  ///< [1/m^2], > 0; absent: of the plots, or the window's mean.
+
+  /// @throws std::invalid_argument naming the value out of range.
+  void validate() const;
+};
+
+/// Velocity-consistent tracklets: every pair of plots that the speeds allow opens a branch; branches grow
+/// through the gate of the true innovation covariance, through misses too; a chain is a weighted
+/// least-squares fit of constant velocity. It is judged by how many chains of clutter alone are expected to
+/// fit as well: the number of ways to begin, times the clutter expected inside the ellipsoid that its
+/// residuals span. The least expected chains are tracks, each plot in one track only. Cost: plots x branches
+/// kept x gate.
+class VctInitiator : public Initiator {
+ public:
+  /// @throws std::invalid_argument on a value out of range.
+  explicit VctInitiator(const VctParams& params);
+
+  const StartedTracks& start(const PlotWindow& window) override;
+  int window_scans() const override { return params_.window_scans; }
+
+ private:
+  /// A chain of plots, seen from its newest.
+  struct Branch {
+    TrackFit fit;
+    int parent = -1;            ///< Branch without its newest plot; -1: the pair (root, plot).
+    int root = 0;               ///< Its oldest plot.
+    int plot = 0;               ///< Its newest plot.
+    double log_false = 0.0;     ///< Log of the false chains expected for what comes before the residuals.
+    double log_expected = 0.0;  ///< Log of the number of false chains expected to fit as well.
+  };
+  /// A branch that a plot could get.
+  struct Proposal {
+    int plot = 0;
+    int parent = -1;
+    int root = 0;
+    double log_false = 0.0;
+    double log_expected = 0.0;
+  };
+
+  void prepare(const PlotWindow& window);
+  bool grow(const PlotWindow& window, int scan);
+  void propose_pairs(const PlotWindow& window, int root, int scan);
+  void propose_extensions(const PlotWindow& window, int branch, int scan);
+  void keep_best(const PlotWindow& window);
+  Branch branch_of(const PlotWindow& window, const Proposal& proposal) const;
+  double log_expected(double log_false, double chi_square, int plots) const;
+  double log_density(const Plot& plot) const;
+  bool accepted(const Branch& branch) const;
+  void declare(const PlotWindow& window);
+  void collect_plots(int branch);
+
+  VctParams params_;
+  double gate_;                      ///< Chi-square bound of one plot.
+  std::vector<double> chain_gates_;  ///< Chi-square bound of a chain, by its plots.
+  PlotIndex index_;
+  int num_scans_ = 0;          ///< Of the window at hand.
+  double mean_density_ = 0.0;  ///< [1/m^2].
+  std::vector<Branch> branches_;
+  std::vector<int> first_branch_;  ///< Of each plot, and one past the last: branches in order of plot.
+  std::vector<Proposal> proposals_;
+  std::vector<int> chains_;  ///< Accepted branches.
+  std::vector<char> used_;
+  std::vector<int> plots_;
+  StartedTracks started_;
+};
+
+/// Keys: `min_speed`, `max_speed`, `acceleration_sigma`, `window_scans`, `min_plots` (default: all scans),
+/// `gate_probability`, `max_false_tracks`, `clutter_per_area`. No variants.
+std::unique_ptr<Initiator> make_vct(const InitiatorConfig& config);
+
+}  // namespace lookout::tracking

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/plot_index.hpp"
+#include "tracking/initiation/plots/track_fit.hpp"
+
+namespace lookout::tracking {
+
+/// Rules of the gates that grow tracks plot by plot, the nearest plot of each gate. [Zeng2023] section 2.
+struct GateLogicParams {
+  SpeedLimits speeds = kZengSpeeds;
+  double margin = 10.0;  ///< w, by which the circular gate is widened [m], >= 0. Eq. (1).
+  bool fan_gate = true;  ///< Temporary tracks in their next scan meet a fan gate, Eq. (2); else the ellipse.
+  double max_acceleration = 150.0;  ///< a_max - a_min of the fan gate [m/s^2], >= 0.
+  double turn_rate = 0.104719755;   ///< Fastest turn [rad/s], > 0: 6 degrees.
+  std::optional<double> max_turn;   ///< Largest angle between two steps [rad]; absent: by `turn_rate`.
+  double gate = 24.0;               ///< gamma of the elliptical gate, > 0. Eq. (6).
+  bool filtered = true;             ///< Predict by the Kalman filter of all plots; else from the last two.
+  MotionModelParams motion{1.0};    ///< Of the predictor. Section 3.1.
+  int max_misses = 1;               ///< Consecutive scans that a track survives without a plot, >= 0.
+
+  /// What the authors' program knows and the text does not say (docs/initiators.md): the course of the
+  /// targets ...
+  std::optional<Eigen::Vector2d>
+      known_course;  ///< Plots of the first three scans lie within 90 degrees of it.
+  std::optional<Eigen::Vector2d> known_velocity;  ///< The filter starts with it [m/s].
+  bool drop_lonely_roots = false;        ///< Roots unmatched in the second scan, and new ones, are dropped.
+  std::optional<Eigen::Matrix2d> noise;  ///< In place of the plots' own [m^2].
+
+  /// Takes the largest angle between two steps, where there is one. Beyond a right angle a step has no
+  /// direction that a fan could open around: the ellipse takes its place.
+  void limit_turns(std::optional<double> angle);
+  /// @throws std::invalid_argument naming the value out of range.
+  void validate() const;
+};
+
+/// A track of gate logic: a root (one plot), temporary (two) or candidate (three or more).
+struct GateTrack {
+  static constexpr int kMaxPlots = 32;
+  int plots[kMaxPlots] = {};  ///< Indices in the window.
+  int num_plots = 0;
+  int misses = 0;  ///< Scans since its newest plot.
+  TrackFit fit;    ///< From two plots on.
+
+  std::span<const int> plot_indices() const { return {plots, static_cast<std::size_t>(num_plots)}; }
+  int newest() const { return plots[num_plots - 1]; }
+};
+
+/// Grows gate tracks through the scans of a window. The first scan's plots are roots; plots of the second
+/// that lie in no root's gate become roots too.
+class GateLogic {
+ public:
+  explicit GateLogic(const GateLogicParams& params);
+
+  /// @return the tracks that are alive after the last scan; valid until the next call.
+  std::span<const GateTrack> run(const PlotWindow& window);
+
+  /// Adds the plots that lay in some track's gate in the last run, and those of the tracks that had such
+  /// gates: what the gates leave of the scans, whichever plot was then the nearest. P1 of [Zeng2023] Eq.
+  /// (17).
+  void append_survivors(std::vector<int>& plots) const;
+
+ private:
+  /// The plot that a gate chose and how far it is from what was expected.
+  struct Choice {
+    int plot = -1;
+    double distance = 0.0;
+  };
+
+  void offer(int plot, double distance, Choice& choice);
+  void add_roots(const PlotWindow& window, int scan);
+  void take_scan(const PlotWindow& window, int scan);
+  Choice choose(const PlotWindow& window, int scan, const GateTrack& track);
+  Choice circular_choice(const PlotWindow& window, int scan, const GateTrack& track);
+  Choice fan_choice(const PlotWindow& window, int scan, const GateTrack& track);
+  Choice elliptical_choice(const PlotWindow& window, int scan, const GateTrack& track);
+  double turn_over(double seconds) const;
+  bool on_course(const Eigen::Vector2d& displacement) const;
+  Plot known(const Plot& plot) const;
+  void extend(const PlotWindow& window, int plot, GateTrack& track);
+  TrackFit start_fit(const Plot& older, const Plot& newer) const;
+
+  GateLogicParams params_;
+  PlotIndex index_;
+  std::vector<GateTrack> tracks_;
+  std::vector<char>
+      gated_;  ///< Plots of the window that lie in some gate, or belong to a track with one that holds any.
+};
+
+}  // namespace lookout::tracking

@@ -1,0 +1,28 @@
+#include "tracking/initiation/plots/gates.hpp"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace lookout::tracking {
+
+void SpeedLimits::validate() const {
+  if (!(min >= 0.0)) throw std::invalid_argument("min_speed must be >= 0, got " + std::to_string(min));
+  if (!(max > min)) throw std::invalid_argument("max_speed must be > min_speed, got " + std::to_string(max));
+}
+
+bool in_annulus(const Eigen::Vector2d& displacement, double seconds, const SpeedLimits& speeds,
+                double margin) {
+  const double length = displacement.norm();
+  return length > 0.0 && length >= speeds.min * seconds - margin && length <= speeds.max * seconds + margin;
+}
+
+double angle_between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
+}
+
+bool in_fan(const Eigen::Vector2d& reached, const Eigen::Vector2d& expected, double depth, double turn) {
+  return std::abs(reached.norm() - expected.norm()) < 0.5 * depth && angle_between(reached, expected) < turn;
+}
+
+}  // namespace lookout::tracking

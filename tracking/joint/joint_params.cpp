@@ -1,0 +1,91 @@
+#include <stdexcept>
+#include <string>
+
+#include "tracking/joint/joint_params.hpp"
+
+#include <cmath>
+
+#include "core/parameter_check.hpp"
+namespace lookout::tracking {
+namespace {
+
+void validate(const MotionChangeParams& p) {
+  core::require(p.window_s > 0.0 && p.window_s <= 30.0, "manoeuvre window_s must be in (0, 30]", p.window_s);
+  core::require(p.prior > 0.0 && p.prior < 1.0, "manoeuvre prior must be in (0, 1)", p.prior);
+  core::require(p.curved_share > 0.0 && p.curved_share < 1.0, "curved_share must be in (0, 1)",
+                p.curved_share);
+  core::require(p.least_scans >= 1, "least_scans must be >= 1", p.least_scans);
+  core::require(p.memory_s >= p.window_s, "manoeuvre memory_s must be >= window_s", p.memory_s);
+  core::require(p.rounds >= 1, "manoeuvre rounds must be >= 1", p.rounds);
+  core::require(p.present_rounds >= 1, "present_rounds must be >= 1", p.present_rounds);
+  core::require(p.position_slack > 0.0, "position_slack must be > 0", p.position_slack);
+  core::require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);
+  core::require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);
+  core::require(p.turn_slack > 0.0, "turn_slack must be > 0", p.turn_slack);
+  core::require(p.straighten_nats >= 0.0, "straighten_nats must be >= 0", p.straighten_nats);
+  core::require(p.redraw_nats > 0.0, "redraw_nats must be > 0", p.redraw_nats);
+  core::require(p.young_windows >= 0, "young_windows must be >= 0", p.young_windows);
+  core::require(p.sudden_scans >= 1, "sudden_scans must be >= 1", p.sudden_scans);
+  core::require(p.hopeless_nats >= 0.0, "hopeless_nats must be >= 0", p.hopeless_nats);
+  core::require(p.turn_nats >= 0.0, "turn_nats must be >= 0", p.turn_nats);
+  core::require(p.bend_nats >= 0.0, "bend_nats must be >= 0", p.bend_nats);
+  core::require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)",
+                p.trusted_share);
+}
+
+void validate(const LifeParams& p) {
+  core::require(p.tentative_log_odds < 0.0, "tentative_log_odds must be < 0", p.tentative_log_odds);
+  core::require(p.end_log_odds < 0.0, "end_log_odds must be < 0", p.end_log_odds);
+  core::require(p.mean_life_s > 0.0, "mean_life_s must be > 0", p.mean_life_s);
+  core::require(p.coast_s >= 0.0, "coast_s must be >= 0", p.coast_s);
+  core::require(p.return_s >= 0.0, "return_s must be >= 0", p.return_s);
+  core::require(p.max_tracks >= 1, "max_tracks must be >= 1", p.max_tracks);
+  core::require(p.ready_tracks >= 0, "ready_tracks must be >= 0", p.ready_tracks);
+  core::require(p.twin_distance >= 0.0, "twin_distance must be >= 0", p.twin_distance);
+  core::require(p.twin_speed >= 0.0, "twin_speed must be >= 0", p.twin_speed);
+  core::require(p.in_view_share > 0.0 && p.in_view_share < 1.0, "in_view_share must be in (0, 1)",
+                p.in_view_share);
+  core::require(p.settled_log_odds > 0.0, "settled_log_odds must be > 0", p.settled_log_odds);
+}
+
+void validate(const ReportParams& p) {
+  core::require(p.min_existence >= 0.0 && p.min_existence <= 1.0, "min_existence must be in [0, 1]",
+                p.min_existence);
+  core::require(p.cutoff > 0.0, "cutoff must be > 0", p.cutoff);
+  core::require(p.samples >= 1, "samples must be >= 1", p.samples);
+  core::require(p.least_probability >= 0.0 && p.least_probability <= 1.0,
+                "least_probability must be in [0, 1]", p.least_probability);
+  core::require(std::isfinite(p.first_log_odds) && p.first_log_odds >= 0.0, "first_log_odds must be >= 0",
+                p.first_log_odds);
+  core::require(p.published_tentative >= 0.0 && p.published_tentative <= 1.0,
+                "published_tentative must be in [0, 1]", p.published_tentative);
+}
+
+void validate(const SensorLearningParams& p) {
+  core::require(p.least_change > 0.0, "least_change must be > 0", p.least_change);
+  core::require(p.target_samples >= 1, "target_samples must be >= 1", p.target_samples);
+}
+
+void validate(const HeadingParams& p) {
+  core::require(p.steps >= 1, "heading steps must be >= 1", p.steps);
+  core::require(p.reach_sigmas > 0.0, "reach_sigmas must be > 0", p.reach_sigmas);
+  core::require(p.least_existence > 0.0 && p.least_existence <= 1.0, "least_existence must be in (0, 1]",
+                p.least_existence);
+}
+
+}  // namespace
+
+void validate(const JointTrackerParams& params) {
+  csht::validate(params.sensor);
+  csht::validate(params.prior);
+  csht::validate(params.cloud);
+  csht::validate(params.observer);
+  csht::validate(params.birth);
+  validate(params.manoeuvre);
+  validate(params.life);
+  validate(params.report);
+  validate(params.learning);
+  validate(params.heading);
+}
+
+}  // namespace lookout::tracking

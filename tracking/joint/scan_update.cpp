@@ -1,0 +1,154 @@
+#include "tracking/joint/scan_update.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "csht/joint/evidence/scan_information.hpp"
+
+namespace lookout::tracking {
+
+ScanUpdate::ScanUpdate(const JointTrackerParams& params)
+    : cloud_(params.cloud),
+      life_(params.life),
+      memory_{params.cloud.memory_s, params.manoeuvre.memory_s, params.manoeuvre.least_scans},
+      manoeuvre_(params.manoeuvre, params.cloud.trajectories),
+      observer_(params.observer) {}
+
+void ScanUpdate::predict(double seconds, TrackerState& state) const {
+  const double survival = std::exp(-seconds / life_.mean_life_s);
+  for (csht::TargetTrack& track : state.tracks) {
+    if (!track.used) continue;
+    track.cloud.predict(seconds);
+    track.moments = track.cloud.moments();
+    track.log_odds = csht::log_odds(track.existence() * survival);
+  }
+}
+
+void ScanUpdate::update(TrackerState& state) {
+  claim_provisionally(state);
+  for (csht::TargetTrack& track : state.tracks) {
+    if (!track.used) continue;
+    take_scan(track, state);
+    judge_motion(track, state);
+    observer_.claim_memory(state.slot_of(track), track, csht::memory_of(track, state.scans(), memory_),
+                           state.likelihood);
+  }
+}
+
+// What each track would take of the scan on its own, so that the others know before they are updated.
+void ScanUpdate::claim_provisionally(TrackerState& state) {
+  for (csht::TargetTrack& track : state.tracks) {
+    if (!track.used) continue;
+    const int self = state.slot_of(track);
+    track.log_ratio.assign(track.cloud.size(), 0.0);
+    state.likelihood.add(track.cloud, track.moments.mean, {0, 0}, csht::ScanLikelihood::kEverybody,
+                         track.log_ratio);
+    state.likelihood.set_existence(self, track.existence());
+    if (track.existence() < csht::ScanLikelihood::kLeastExistence) continue;
+    state.fresh = track.cloud;
+    state.fresh.reweigh(track.log_ratio);
+    observer_.claim(self, state.fresh, state.likelihood);
+  }
+}
+
+void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
+  const int self = state.slot_of(track);
+  const csht::ScanHistory& scans = state.scans();
+  const int beam = std::max(0, csht::beam_at(scans.newest(), track.moments.mean[0], track.moments.mean[1]));
+  const bool shared = state.likelihood.mask(0, self, beam) != nullptr;
+  if (shared) {
+    track.log_ratio.assign(track.cloud.size(), 0.0);
+    state.likelihood.add(track.cloud, track.moments.mean, {0, 0}, self, track.log_ratio);
+  }
+  const double evidence = track.cloud.reweigh(track.log_ratio);
+  track.log_odds += evidence;
+  track.highest_log_odds = std::max(track.highest_log_odds, track.log_odds);
+  const bool tells = !track.out_of_view && !(shared && state.likelihood.contested(self, track.moments.mean));
+  track.recent.add(evidence, tells ? csht::nats_per_scan(scans.figures(), scans.newest()) : evidence);
+  const double enough = cloud_.refresh_share * static_cast<double>(track.cloud.size());
+  if (track.cloud.motion == csht::Motion::bend || track.cloud.effective_size() < enough)
+    refresh(track, state);
+  track.moments = track.cloud.moments();
+}
+
+// Draws the cloud afresh from the likelihood of the scans it remembers.
+void ScanUpdate::refresh(csht::TargetTrack& track, TrackerState& state) {
+  csht::SamplingTask task;
+  task.guess = track.cloud.moments();
+  // A cloud that one scan has cut down to a few trajectories says little of its own spread.
+  const double rest = std::min(1.0, csht::dimensions(track.cloud.motion) / track.cloud.effective_size());
+  task.guess.covariance += rest * track.moments.covariance;
+  task.ages = csht::memory_of(track, state.scans(), memory_);
+  task.self = state.slot_of(track);
+  task.samples = cloud_.trajectories;
+  task.rounds = cloud_.refresh_rounds;
+  if (track.cloud.motion != csht::Motion::line && !task.ages.births)
+    task.anchor = manoeuvre_.anchor(task.guess, state.scans().seconds_at_age(task.ages.oldest));
+  if (track.log_odds >= life_.settled_log_odds && track.cloud.motion != csht::Motion::bend) {
+    state.sampler.move(task, state.likelihood, state.random, track.cloud);
+    track.claims_are_fresh = false;
+    return;
+  }
+  const csht::SamplingResult result = state.sampler.sample(task, state.likelihood, state.random, state.fresh);
+  const double effective = result.effective_share * static_cast<double>(task.samples);
+  if (effective <= std::min(track.cloud.effective_size(), cloud_.enough_effective)) return;
+  std::swap(track.cloud, state.fresh);
+  track.claims_are_fresh = false;
+  if (tells_odds(track, task.ages, result, state)) estimate_odds(result.log_evidence, track);
+}
+
+// Odds that were picked as the best of many are too high; drawn again from the whole life they are not.
+// docs/tracker.md.
+bool ScanUpdate::tells_odds(const csht::TargetTrack& track, const csht::AgeSpan& ages,
+                            const csht::SamplingResult& result, const TrackerState& state) const {
+  const bool whole_life = ages.births && ages.oldest == state.scans().pushed() - 1 - track.first_scan;
+  return whole_life && result.effective_share > cloud_.trusted_share;
+}
+
+void ScanUpdate::judge_motion(csht::TargetTrack& track, TrackerState& state) {
+  if (track.out_of_view) return;
+  const csht::AgeSpan memory = csht::memory_of(track, state.scans(), memory_);
+  const auto judgement = manoeuvre_.judge({state.slot_of(track), track, memory}, state.likelihood,
+                                          state.sampler, state.random, state.fresh);
+  if (judgement.verdict == MotionChange::Verdict::keep) return;
+  const csht::Motion before = track.cloud.motion;
+  std::swap(track.cloud, state.fresh);
+  track.moments = track.cloud.moments();
+  track.claims_are_fresh = false;
+  // A turn is judged by its own predictions, once there are enough; the others stay under suspicion.
+  if (track.cloud.motion == csht::Motion::turn) track.recent.clear();
+  if (judgement.verdict == MotionChange::Verdict::rewrite)
+    estimate_odds(judgement.life_evidence, track);
+  else
+    change_model(judgement, track, state);
+  if (track.cloud.motion != before) tell_change(judgement, track, state);
+}
+
+// The odds of a track by the evidence for its whole life; those of a settled one are left.
+void ScanUpdate::estimate_odds(double life_evidence, csht::TargetTrack& track) const {
+  const double odds = life_evidence + track.log_density + manoeuvre_.log_share(track.cloud.motion);
+  if (track.log_odds < life_.settled_log_odds) track.log_odds = std::min(odds, life_.settled_log_odds);
+}
+
+void ScanUpdate::change_model(const MotionChange::Judgement& judgement, csht::TargetTrack& track,
+                              const TrackerState& state) const {
+  track.first_scan = state.scans().pushed() - 1 - judgement.oldest;
+  track.remembers_birth = false;
+  // What the line lost by not bending was no evidence against the target.
+  if (track.cloud.motion != csht::Motion::line)
+    track.log_odds =
+        std::max(track.log_odds, std::min(track.log_odds + judgement.evidence, life_.settled_log_odds));
+}
+
+void ScanUpdate::tell_change(const MotionChange::Judgement& judgement, const csht::TargetTrack& track,
+                             const TrackerState& state) const {
+  const csht::Motion motion = track.cloud.motion;
+  state.decide(track, motion == csht::Motion::line ? DecisionKind::straighten : DecisionKind::manoeuvre,
+               judgement.evidence,
+               motion == csht::Motion::line   ? "a straight line explains the scans as well"
+               : motion == csht::Motion::turn ? "a turn explains the scans better"
+                                              : "a curve explains the scans better");
+}
+
+}  // namespace lookout::tracking

@@ -1,0 +1,43 @@
+#pragma once
+
+#include "csht/joint/evidence/beam_claims.hpp"
+#include "csht/joint/evidence/memory_span.hpp"
+#include "tracking/joint/joint_params.hpp"
+#include "tracking/joint/motion_change.hpp"
+#include "tracking/joint/tracker_state.hpp"
+
+namespace lookout::tracking {
+
+/// Takes a scan into the tracks that are there: weights and odds, fresh clouds, motion models, claims.
+class ScanUpdate {
+ public:
+  /// @param params validated.
+  explicit ScanUpdate(const JointTrackerParams& params);
+
+  /// Moves all tracks on to the newest scan, `seconds` after the one before.
+  void predict(double seconds, TrackerState& state) const;
+
+  /// Updates all tracks with the newest scan.
+  void update(TrackerState& state);
+
+ private:
+  void claim_provisionally(TrackerState& state);
+  void take_scan(csht::TargetTrack& track, TrackerState& state);
+  void refresh(csht::TargetTrack& track, TrackerState& state);
+  bool tells_odds(const csht::TargetTrack& track, const csht::AgeSpan& ages,
+                  const csht::SamplingResult& result, const TrackerState& state) const;
+  void judge_motion(csht::TargetTrack& track, TrackerState& state);
+  void estimate_odds(double life_evidence, csht::TargetTrack& track) const;
+  void change_model(const MotionChange::Judgement& judgement, csht::TargetTrack& track,
+                    const TrackerState& state) const;
+  void tell_change(const MotionChange::Judgement& judgement, const csht::TargetTrack& track,
+                   const TrackerState& state) const;
+
+  csht::TrajectoryCloudParams cloud_;
+  LifeParams life_;
+  csht::MemorySpan memory_;
+  MotionChange manoeuvre_;
+  csht::BeamClaims observer_;
+};
+
+}  // namespace lookout::tracking

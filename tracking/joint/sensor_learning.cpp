@@ -1,0 +1,49 @@
+#include "tracking/joint/sensor_learning.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lookout::tracking {
+
+void resample(const csht::TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector4d>& samples) {
+  samples.clear();
+  const auto wanted = static_cast<std::size_t>(count);
+  const double step = 1.0 / static_cast<double>(count);
+  double next = 0.5 * step;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    for (sum += cloud.weight[i]; next < sum && samples.size() < wanted; next += step)
+      samples.emplace_back(cloud.north[i], cloud.east[i], cloud.north_velocity[i], cloud.east_velocity[i]);
+}
+
+SensorLearning::SensorLearning(const SensorLearningParams& params, double least_existence,
+                               const core::SonarParams& sonar)
+    : params_(params), least_existence_(least_existence), figures_({}, sonar) {}
+
+void SensorLearning::learn(TrackerState& state) {
+  targets_.clear();
+  for (const csht::TargetTrack& track : state.tracks) {
+    if (!track.used || track.cloud.motion == csht::Motion::bend || track.existence() < least_existence_)
+      continue;
+    if (samples_.size() == targets_.size())
+      samples_.emplace_back().reserve(static_cast<std::size_t>(params_.target_samples));
+    auto& samples = samples_[targets_.size()];
+    resample(track.cloud, params_.target_samples, samples);
+    const auto since_first = static_cast<int>(state.scans().pushed() - 1 - track.first_scan);
+    targets_.push_back({samples, track.existence(), std::min(since_first, track.recent.size())});
+  }
+  figures_.update(state.scans(), targets_);
+  if (changed(state.scans().figures())) state.likelihood.set_figures(figures_.figures());
+}
+
+bool SensorLearning::changed(const csht::SensorFigures& before) const {
+  const csht::SensorFigures& now = figures_.figures();
+  const auto differ = [this](double a, double b) {
+    return std::abs(a - b) > params_.least_change * std::min(a, b);
+  };
+  return differ(now.miss_probability, before.miss_probability) ||
+         differ(now.false_alarm_probability, before.false_alarm_probability) ||
+         differ(now.clutter_per_scan, before.clutter_per_scan) || differ(now.range_sigma, before.range_sigma);
+}
+
+}  // namespace lookout::tracking

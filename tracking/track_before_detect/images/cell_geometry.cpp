@@ -1,0 +1,48 @@
+#include "tracking/track_before_detect/images/cell_geometry.hpp"
+
+#include <cmath>
+
+namespace lookout::tracking {
+namespace {
+
+bool inside(const Eigen::Vector2d& cell, int columns, int rows) {
+  return cell.x() >= 0.0 && cell.x() < columns && cell.y() >= 0.0 && cell.y() < rows;
+}
+
+}  // namespace
+
+SonarCellGeometry::SonarCellGeometry(const core::PosedImage& posed)
+    : T_earth_sonar_(posed.T_earth_sonar),
+      first_bearing_(posed.image.first_bearing),
+      bearing_step_(posed.image.bearing_step),
+      first_range_(posed.image.first_range),
+      range_step_(posed.image.range_step),
+      num_beams_(posed.image.num_beams),
+      num_bins_(posed.image.num_bins) {}
+
+CellView SonarCellGeometry::observe(const Eigen::Vector2d& p_earth) const {
+  const Eigen::Vector2d p_sonar = core::inverse_transform(T_earth_sonar_, p_earth);
+  const double range = p_sonar.norm();
+  const double bearing = std::atan2(p_sonar.y(), p_sonar.x());
+  CellView view;
+  view.cell = {(range - first_range_) / range_step_ + 0.5, (bearing - first_bearing_) / bearing_step_ + 0.5};
+  view.inside = range > 0.0 && inside(view.cell, num_bins_, num_beams_);
+  if (range <= 0.0) return view;
+  const double azimuth = bearing + T_earth_sonar_.heading;
+  const double c = std::cos(azimuth), s = std::sin(azimuth);
+  view.jacobian << c / range_step_, s / range_step_, -s / (range * bearing_step_),
+      c / (range * bearing_step_);
+  return view;
+}
+
+Eigen::Vector2d SonarCellGeometry::position_of(const Eigen::Vector2d& cell) const {
+  const double range = first_range_ + (cell.x() - 0.5) * range_step_;
+  const double bearing = first_bearing_ + (cell.y() - 0.5) * bearing_step_;
+  return core::transform(T_earth_sonar_, core::from_polar(range, bearing));
+}
+
+CellView PixelGeometry::observe(const Eigen::Vector2d& position) const {
+  return {position, Eigen::Matrix2d::Identity(), inside(position, columns_, rows_)};
+}
+
+}  // namespace lookout::tracking

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/motion_element.hpp"
+#include "tracking/intake/scan_intake.hpp"
+#include "tracking/track_before_detect/images/image_tracker.hpp"
+
+namespace lookout::tracking {
+
+/// Intake and image tracker in one: vehicle states and images in as they arrive, tracks out image by image.
+class ImageChain {
+ public:
+  /// Called once for each accepted image; everything passed is valid until it returns.
+  using OnTracks = std::function<void(const core::PosedImage&, std::span<const core::Track>)>;
+  using Report = std::function<void(const std::string&)>;
+
+  /// @param method one of image_tracker_names().
+  ImageChain(const core::SonarParams& configured, std::string_view method, OnTracks on_tracks, Report report,
+             const IntakeParams& params = {});
+  ImageChain(const ImageChain&) = delete;
+  ImageChain& operator=(const ImageChain&) = delete;
+
+  void add(const core::VehicleState& state) { intake_.add(state); }
+  void add(core::SonarImage image) { intake_.add(std::move(image)); }
+  void finish() { intake_.finish(); }  ///< There is no more data.
+
+  const IntakeCounts& counts() const { return intake_.counts(); }
+  std::int64_t newest_utime() const { return intake_.newest_utime(); }
+
+ private:
+  ImageTracker tracker_;
+  OnTracks on_tracks_;
+  ImageIntake intake_;
+};
+
+/// Tracks as motion elements of their own: what track-before-detect has in place of a window's estimates.
+std::vector<core::MotionElement> as_elements(std::span<const core::Track> tracks, std::int64_t utime);
+
+}  // namespace lookout::tracking

@@ -1,0 +1,98 @@
+#include "tracking/track_before_detect/images/image_tracker.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace lookout::tracking {
+namespace {
+
+constexpr std::array<std::string_view, 3> kNames{"h_pmht", "mf_nn", "cfar_nn"};
+
+std::unique_ptr<CellTargetTracker> make_targets(std::string_view method) {
+  if (method == "h_pmht") return std::make_unique<CellTracker>();
+  if (method == "mf_nn") return std::make_unique<PeakTracker>(matched_filter_baseline());
+  if (method == "cfar_nn") return std::make_unique<PeakTracker>(cfar_baseline());
+  throw std::invalid_argument("image tracker must be h_pmht, mf_nn or cfar_nn, got " + std::string(method));
+}
+
+core::TrackStatus status_of(const CellTrack& track) {
+  if (!track.confirmed) return core::TrackStatus::tentative;
+  return track.inside ? core::TrackStatus::confirmed : core::TrackStatus::coasting;
+}
+
+bool finite(const core::Pose2& pose) {
+  return std::isfinite(pose.north) && std::isfinite(pose.east) && std::isfinite(pose.heading);
+}
+
+}  // namespace
+
+std::span<const std::string_view> image_tracker_names() {
+  return kNames;
+}
+
+std::string image_fault(const core::PosedImage& posed) {
+  const core::SonarImage& image = posed.image;
+  const auto cells = static_cast<long long>(image.num_beams) * image.num_bins;
+  if (image.num_beams < 1 || image.num_bins < 1 || static_cast<long long>(image.intensity.size()) != cells)
+    return "size";
+  if (!(std::isfinite(image.first_bearing) && std::isfinite(image.first_range) && image.bearing_step > 0.0 &&
+        image.range_step > 0.0 && std::isfinite(image.bearing_step) && std::isfinite(image.range_step)))
+    return "geometry";
+  if (!finite(posed.T_earth_sonar)) return "pose";
+  for (const double value : image.intensity)
+    if (!(value >= 0.0 && std::isfinite(value))) return "intensity";
+  return "";
+}
+
+ImageTracker::ImageTracker(std::string_view method) : targets_(make_targets(method)) {}
+
+ImageTracker::ImageTracker(std::unique_ptr<CellTargetTracker> targets,
+                           const RangeBackgroundParams& background)
+    : background_(background), targets_(std::move(targets)) {}
+
+std::span<const core::Track> ImageTracker::update(const core::PosedImage& posed) {
+  if (!accept(posed)) return tracks_;
+  const SonarCellGeometry geometry(posed);
+  const IntensityFrame& frame = background_.normalise(posed.image);
+  publish(targets_->update(frame, geometry, core::seconds(posed.image.utime)));
+  return tracks_;
+}
+
+bool ImageTracker::accept(const core::PosedImage& posed) {
+  if (!image_fault(posed).empty()) {
+    ++counts_.damaged;
+    return false;
+  }
+  if (started_ && posed.image.utime <= last_utime_) {
+    ++counts_.out_of_order;
+    return false;
+  }
+  started_ = true;
+  last_utime_ = posed.image.utime;
+  ++counts_.accepted;
+  return true;
+}
+
+void ImageTracker::publish(const std::vector<CellTrack>& tracks) {
+  tracks_.clear();
+  for (const CellTrack& track : tracks) {
+    core::Track out;
+    out.id = track.id;
+    out.status = status_of(track);
+    out.state = track.state;
+    out.covariance = track.covariance;
+    out.existence = track.existence;
+    out.first_utime = core::microseconds(track.first_time);
+    out.last_detection_utime = core::microseconds(track.last_echo_time);
+    tracks_.push_back(out);
+  }
+}
+
+void ImageTracker::reset() {
+  targets_->reset();
+  tracks_.clear();
+  started_ = false;
+}
+
+}  // namespace lookout::tracking

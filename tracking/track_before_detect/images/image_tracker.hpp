@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/sonar_image.hpp"
+#include "core/track.hpp"
+#include "tracking/track_before_detect/images/cell_tracker.hpp"
+#include "tracking/track_before_detect/images/peak_tracker.hpp"
+#include "tracking/track_before_detect/images/range_background.hpp"
+
+namespace lookout::tracking {
+
+/// What the tracker did with the images it was given.
+struct ImageCounts {
+  std::int64_t accepted = 0;
+  std::int64_t damaged = 0;       ///< Wrong size, a value not finite or negative, or a geometry that is none.
+  std::int64_t out_of_order = 0;  ///< Not later than the image before.
+};
+
+/// Names of the registry: "h_pmht", and the baselines "mf_nn" and "cfar_nn".
+std::span<const std::string_view> image_tracker_names();
+
+/// The front door of track-before-detect on sonar images: image by image to tracks in the earth frame.
+class ImageTracker {
+ public:
+  /// @throws std::invalid_argument for a name that is none of image_tracker_names().
+  explicit ImageTracker(std::string_view method = "h_pmht");
+  /// With parameters of one's own.
+  ImageTracker(std::unique_ptr<CellTargetTracker> targets, const RangeBackgroundParams& background);
+
+  /// Takes one image; valid until the next call. A damaged image or one out of order is counted and leaves
+  /// the tracks as they were.
+  std::span<const core::Track> update(const core::PosedImage& posed);
+
+  std::span<const core::Track> tracks() const { return tracks_; }
+  const ImageCounts& counts() const { return counts_; }
+  void reset();  ///< Forgets tracks and time, for a new clock; ids and counts go on.
+
+ private:
+  bool accept(const core::PosedImage& posed);
+  void publish(const std::vector<CellTrack>& tracks);
+
+  RangeBackground background_;
+  std::unique_ptr<CellTargetTracker> targets_;
+  std::vector<core::Track> tracks_;
+  ImageCounts counts_;
+  bool started_ = false;
+  std::int64_t last_utime_ = 0;
+};
+
+/// Why an image cannot be used, or an empty text.
+std::string image_fault(const core::PosedImage& posed);
+
+}  // namespace lookout::tracking
