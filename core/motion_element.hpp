@@ -19,6 +19,9 @@ struct MotionElement {
   bool of_known_track = false;  ///< Accepted only because a track was offered: no proof of a new target. Not
                                 ///< on the wire.
 
+  /// Where the joint engine keeps the density behind the element; -1 from other methods. Not on the wire.
+  int hypothesis = -1;
+
   /// (north, east, north velocity, east velocity) at the newest scan.
   Eigen::Vector4d state() const { return {position.x(), position.y(), velocity.x(), velocity.y()}; }
 };

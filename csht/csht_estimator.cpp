@@ -59,9 +59,9 @@ std::span<const core::MotionElement> CshtEstimator::update(const core::PosedScan
   return elements_;
 }
 
-void CshtEstimator::offer(std::span<const core::Track> tracks) {
+void CshtEstimator::offer(const Explained& explained) {
   offered_.clear();
-  for (const auto& track : tracks) {
+  for (const auto& track : explained.tracks) {
     Candidate candidate;
     candidate.state = track.state;
     candidate.offered = true;

@@ -31,7 +31,7 @@ class CshtEstimator : public MotionEstimator {
 
   /// Confirmed tracks as candidates of the next `update`, which accepts them on less evidence. Their states
   /// are those at the scan of the last `update`.
-  void offer(std::span<const core::Track> tracks) override;
+  void offer(const Explained& explained) override;
 
   core::EstimatorMethod method() const override { return core::EstimatorMethod::csht; }
   int window_scans() const override { return params_.window_scans; }

@@ -22,7 +22,7 @@ enum class EstimatorUse {
 
 /// What a user chooses of an estimator: the `estimator:` part of a configuration.
 struct EstimatorParams {
-  std::string name = "csht";                  ///< One of `estimator_names()`.
+  std::string name;                           ///< One of `estimator_names()`; empty: what suits the tracker.
   EstimatorUse use = EstimatorUse::tracking;  ///< Set by the program, not by the user.
   int window_scans = 20;                      ///< Scans in a full window, 3 to 100. [Yan2018] W.
   /// Scans that must be in the window before anything is estimated, 3 to `window_scans`. An experiment on

@@ -129,7 +129,7 @@ def draw_trajectories(axis, rows, colour, seconds):
 
 
 def plot_joint_window(directory):
-    """One literal window of the joint estimator: pairs of echoes, clusters, and the elements that it reports."""
+    """One literal window of the joint estimator: densities, hypotheses, and the elements that it reports."""
     echoes, truth = rows_of(directory / "joint_echoes.csv"), rows_of(directory / "joint_truth.csv")
     times = [float(row["time_s"]) for row in echoes]
     seconds = max(times) - min(times)
@@ -141,12 +141,12 @@ def plot_joint_window(directory):
             axis.plot(*zip(*path), color="tab:green", linewidth=7, alpha=0.3, solid_capstyle="round", zorder=0)
         axis.set_xlabel("east [m]")
         axis.set_aspect("equal")
-    draw_trajectories(axes[0], rows_of(directory / "joint_seeds.csv"), "tab:blue", seconds)
-    draw_trajectories(axes[1], rows_of(directory / "joint_clusters.csv"), "tab:orange", seconds)
+    draw_trajectories(axes[0], rows_of(directory / "joint_clouds.csv"), "tab:blue", seconds)
+    draw_trajectories(axes[1], rows_of(directory / "joint_hypotheses.csv"), "tab:orange", seconds)
     for row in rows_of(directory / "joint_elements.csv"):
         axes[1].plot(float(row["east_m"]), float(row["north_m"]), "*", color="tab:red", markersize=13)
-    axes[0].set_title("seeds: pairs through echoes of the newest scan that nothing explains yet")
-    axes[1].set_title("clusters (darker: likelier), elements (stars)")
+    axes[0].set_title("densities: the trajectories that stand for each hypothesis")
+    axes[1].set_title("hypotheses (darker: likelier), elements (stars)")
     axes[0].set_ylabel("north [m]")
     figure.suptitle("joint, one window of 20 scans, literal clutter, $P_F = P_M$ = 0.3 (green: targets; grey: echoes)")
     save(figure, directory / "joint_window.png")

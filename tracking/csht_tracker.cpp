@@ -10,12 +10,10 @@
 namespace lookout::tracking {
 
 CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParams& sonar,
-                         std::unique_ptr<csht::MotionEstimator> estimator,
                          std::unique_ptr<BirthMethod> births)
     : params_(params),
       sonar_(sonar),
       book_(params.life),
-      estimator_(std::move(estimator)),
       births_(std::move(births)),
       element_association_(params.element_gate),
       sample_association_(chi_square_gate(params.gate_probability, 2)),
@@ -27,12 +25,12 @@ CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParam
                                 std::to_string(params.min_existence));
 }
 
-std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan) {
+std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan,
+                                                 std::span<const core::MotionElement> elements) {
   const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
   csht::scan_to_detections(scan, 0, detections_);
-  estimator_->offer(book_.tracks());
   book_.predict_to(scan.scan.utime, params_.motion);
-  elements_ = estimator_->update(scan);
+  elements_ = elements;
   associate(sonar);
   smooth(sonar);
   book_.step(scan, sonar, supported_);

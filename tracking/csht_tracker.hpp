@@ -32,16 +32,17 @@ struct CshtTrackerParams {
 /// the new scan, which corrects the next gate -> trajectory management -> motion states out.
 class CshtTracker : public Tracker {
  public:
-  /// @param estimator behind the tracker, not null; any will do.
   /// @param births where trajectories begin in place of new elements; null: on new elements.
   /// @throws std::invalid_argument on a parameter out of range.
   CshtTracker(const CshtTrackerParams& params, const core::SonarParams& sonar,
-              std::unique_ptr<csht::MotionEstimator> estimator,
               std::unique_ptr<BirthMethod> births = nullptr);
 
-  std::span<const core::Track> update(const core::PosedScan& scan) override;
-  std::span<const core::MotionElement> elements() const override { return elements_; }
-  bool has_estimator() const override { return true; }
+  /// The known trajectories, as extra candidates of the estimator.
+  csht::Explained take(const core::PosedScan& /*scan*/) override { return {book_.tracks()}; }
+  std::span<const core::Track> update(const core::PosedScan& scan,
+                                      std::span<const core::MotionElement> elements) override;
+  std::int64_t next_id() const override { return book_.next_id(); }
+  void set_next_id(std::int64_t id) override { book_.set_next_id(id); }
 
  private:
   void associate(const core::SonarParams& sonar);
@@ -52,7 +53,6 @@ class CshtTracker : public Tracker {
   CshtTrackerParams params_;
   core::SonarParams sonar_;
   TrajectoryBook book_;
-  std::unique_ptr<csht::MotionEstimator> estimator_;
   std::unique_ptr<BirthMethod> births_;
   std::span<const core::MotionElement> elements_;
   std::vector<core::Detection> detections_;

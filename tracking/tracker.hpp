@@ -8,25 +8,27 @@
 #include "core/sensor_estimate.hpp"
 #include "core/sonar_scan.hpp"
 #include "core/track.hpp"
+#include "csht/motion_estimator.hpp"
 #include "tracking/decision.hpp"
 
 namespace lookout::tracking {
 
-/// The front door of every tracker: one scan in, all its tracks at that scan out.
+/// The front door of every tracker: one scan and its motion elements in, all its tracks at that scan out.
+/// Called by ScanPipeline: `take`, then `update`, once for each scan.
 class Tracker {
  public:
   virtual ~Tracker() = default;
 
-  /// Takes the next scan, later than all before it.
+  /// Takes the next scan, later than all before it, into the tracks that there are.
+  /// @return what they explain, which the estimator is offered; valid until `update`. Trackers that look at
+  /// the scan in `update` alone explain nothing.
+  virtual csht::Explained take(const core::PosedScan& /*scan*/) { return {}; }
+
+  /// Ends the scan: what the elements say is taken in, tracks begin and end.
+  /// @param scan the one that `take` had. @param elements what the estimator made of it.
   /// @return tentative, confirmed and coasting tracks at the scan's time; valid until the next call.
-  virtual std::span<const core::Track> update(const core::PosedScan& scan) = 0;
-
-  /// The motion elements that the estimator behind the tracker found in the newest window; empty where none
-  /// is used.
-  virtual std::span<const core::MotionElement> elements() const { return {}; }
-
-  /// Whether an estimator drives the tracker, so that it has elements of its own.
-  virtual bool has_estimator() const { return false; }
+  virtual std::span<const core::Track> update(const core::PosedScan& scan,
+                                              std::span<const core::MotionElement> elements) = 0;
 
   /// The sensor's figures as the tracker sees them after the newest scan; nothing from trackers that do not
   /// estimate them.
@@ -34,6 +36,10 @@ class Tracker {
 
   /// Sends every decision from now on to `log`. Trackers that keep no account of them ignore it.
   virtual void explain_to(DecisionLog /*log*/) {}
+
+  /// The identity that the next new track gets; identities go on from `set_next_id`, before the first scan.
+  virtual std::int64_t next_id() const = 0;
+  virtual void set_next_id(std::int64_t id) = 0;
 
   /// Whether `retrodict` has something to say.
   virtual bool can_retrodict() const { return false; }

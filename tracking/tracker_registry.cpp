@@ -14,10 +14,11 @@ namespace lookout::tracking {
 namespace {
 
 using Factory = std::unique_ptr<Tracker> (*)(const TrackerParams&, const core::SonarParams&,
-                                             const csht::EstimatorParams&, std::uint64_t seed);
+                                             std::uint64_t seed);
 
 struct Entry {
   const char* name;
+  const char* estimator;  ///< Where none is named; empty: it works on detections alone.
   Factory make;
 };
 
@@ -28,29 +29,28 @@ void confirm_at_birth(TrackLifeParams& life) {
 }
 
 std::unique_ptr<Tracker> make_csht(const TrackerParams& params, const core::SonarParams& sonar,
-                                   const csht::EstimatorParams& estimator, std::uint64_t seed) {
+                                   std::uint64_t seed) {
   CshtTrackerParams csht;
   csht.life.coast_s = params.coast_s;
   csht.min_existence = params.min_existence;
   // Half the fastest target's speed: 1.5 m/s for the sonar's 3 m/s.
   csht.element_gate.velocity = 0.5 * sonar.max_speed;
   return std::make_unique<CshtTracker>(csht, sonar,
-                                       csht::make_estimator(estimator.name, estimator, sonar, seed),
                                        make_birth(params.initiator, "csht", params.births, sonar));
 }
 
 std::unique_ptr<Tracker> make_joint(const TrackerParams& params, const core::SonarParams& sonar,
-                                    const csht::EstimatorParams& /*estimator*/, std::uint64_t seed) {
+                                    std::uint64_t seed) {
   JointTrackerParams joint;
   joint.life.coast_s = params.coast_s;
   joint.report.report_all = params.report_all;
-  joint.report.min_existence = params.min_existence;
+  joint.report.min_existence = joint.learning.least_existence = params.min_existence;
   return std::make_unique<JointTracker>(joint, sonar, seed,
                                         make_birth(params.initiator, "joint", params.births, sonar));
 }
 
 std::unique_ptr<Tracker> make_kalman(const TrackerParams& params, const core::SonarParams& sonar,
-                                     const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
+                                     std::uint64_t /*seed*/) {
   KalmanParams kalman;
   kalman.life.coast_s = params.coast_s;
   auto births = make_birth(params.initiator, "kalman", params.births, sonar);
@@ -59,7 +59,7 @@ std::unique_ptr<Tracker> make_kalman(const TrackerParams& params, const core::So
 }
 
 std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::SonarParams& sonar,
-                                  const csht::EstimatorParams& /*estimator*/, std::uint64_t /*seed*/) {
+                                  std::uint64_t /*seed*/) {
   GnnParams gnn;
   gnn.life.coast_s = params.coast_s;
   auto births = make_birth(params.initiator, "gnn", params.births, sonar);
@@ -69,10 +69,10 @@ std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::Sonar
 
 /// One line a tracker.
 constexpr Entry kRegistry[] = {
-    {"joint", &make_joint},
-    {"csht", &make_csht},
-    {"kalman", &make_kalman},
-    {"gnn", &make_gnn},
+    {"joint", "joint", &make_joint},
+    {"csht", "csht", &make_csht},
+    {"kalman", "", &make_kalman},
+    {"gnn", "", &make_gnn},
 };
 
 }  // namespace
@@ -99,12 +99,17 @@ std::vector<std::string> tracker_names() {
   return names;
 }
 
+std::string default_estimator(const std::string& tracker) {
+  for (const auto& entry : kRegistry)
+    if (entry.name == tracker) return entry.estimator;
+  return {};
+}
+
 std::unique_ptr<Tracker> make_tracker(const std::string& name, const TrackerParams& params,
-                                      const core::SonarParams& sonar, const csht::EstimatorParams& estimator,
-                                      std::uint64_t seed) {
+                                      const core::SonarParams& sonar, std::uint64_t seed) {
   std::string accepted;
   for (const auto& entry : kRegistry) {
-    if (entry.name == name) return entry.make(params, sonar, estimator, seed);
+    if (entry.name == name) return entry.make(params, sonar, seed);
     accepted += std::string(" ") + entry.name;
   }
   throw std::invalid_argument("tracker must be one of" + accepted + ", got `" + name + "`");

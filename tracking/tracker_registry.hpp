@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/sonar_params.hpp"
-#include "csht/estimator_registry.hpp"
 #include "tracking/initiation/initiator_config.hpp"
 #include "tracking/tracker.hpp"
 
@@ -18,8 +17,8 @@ namespace lookout::tracking {
 
 /// What a user chooses of a tracker: the `tracker:` and `output:` parts of a configuration.
 struct TrackerParams {
-  std::string name = "csht";  ///< One of `tracker_names()`.
-  double coast_s = 10.0;      ///< How long a track is kept outside the field of view [s], >= 0.
+  std::string name = "joint";  ///< One of `tracker_names()`.
+  double coast_s = 10.0;       ///< How long a track is kept outside the field of view [s], >= 0.
   /// Where births come from: one of `initiator_names()`; empty or the tracker's own name: its own method.
   std::string initiator;
   InitiatorConfig births;      ///< The `initiator:` part of a configuration.
@@ -38,12 +37,13 @@ void read_output_params(const core::YamlMap& map, TrackerParams& params);
 /// The names that `make_tracker` accepts, in the order in which they are shown to a user.
 std::vector<std::string> tracker_names();
 
+/// The estimator that a tracker has where none is named; empty: it works on detections alone.
+std::string default_estimator(const std::string& tracker);
+
 /// A tracker by name.
-/// @param estimator of the trackers that are driven by one; the others ignore it.
 /// @param seed of the trackers that draw.
 /// @throws std::invalid_argument naming what is accepted: an unknown name or a parameter out of range.
 std::unique_ptr<Tracker> make_tracker(const std::string& name, const TrackerParams& params,
-                                      const core::SonarParams& sonar, const csht::EstimatorParams& estimator,
-                                      std::uint64_t seed);
+                                      const core::SonarParams& sonar, std::uint64_t seed);
 
 }  // namespace lookout::tracking

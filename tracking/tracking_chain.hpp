@@ -1,48 +1,57 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "core/sonar_params.hpp"
+#include "csht/estimator_registry.hpp"
 #include "tracking/intake/scan_intake.hpp"
-#include "tracking/tracker.hpp"
+#include "tracking/ping_result.hpp"
+#include "tracking/scan_pipeline.hpp"
+#include "tracking/tracker_registry.hpp"
 
 namespace lookout::tracking {
 
-/// What the chain gives for one accepted scan; everything is valid until the callback returns.
-struct ScanResult {
-  const core::PosedScan& scan;
-  std::span<const core::Track> tracks;  ///< At the scan's time, as known `lag` later.
-  std::span<const core::MotionElement> elements;
-  std::optional<core::SensorEstimate> sensor_estimate;
-};
-
+/// The whole chain as a user chooses it. The default is the joint tracker on the joint estimator.
 struct ChainParams {
-  std::int64_t lag = 0;  ///< How much later than its scan a list of tracks is given [us], in [0, kMaxLag].
+  core::SonarParams sensor;         ///< What is known of the sensor; the geometry of a scan wins over it.
+  csht::EstimatorParams estimator;  ///< An empty name: the tracker's own, see `default_estimator`.
+  TrackerParams tracker;
+  std::uint64_t seed = 1;  ///< Of all draws; those of a scan derive from it and the scan's sequence alone.
+  std::int64_t lag = 0;    ///< How much later than its scan a list of tracks is given [us], in [0, kMaxLag].
+  DecisionLog explain_to;  ///< Is called with every decision about a track; may be empty.
   IntakeParams intake;
 
   static constexpr std::int64_t kMaxLag = 60'000'000;  ///< As far back as a tracker can retrodict.
 };
 
-/// Intake and tracker in one: vehicle states and scans in as they arrive, tracks out scan by scan. `lookout
+/// Makes the pipeline that `params` name, for a sensor of any geometry.
+/// @throws std::invalid_argument naming what is accepted: an unknown name, a parameter out of range, or a lag
+/// with a tracker that has no delayed output.
+std::unique_ptr<ScanPipeline> make_pipeline(const ChainParams& params, const core::SonarParams& sensor);
+
+/// Intake and pipeline in one: vehicle states and scans in as they arrive, tracks out scan by scan. `lookout
 /// run`, `track` and `replay` are this chain behind three sources of data, which is why they give the same
 /// tracks.
 class TrackingChain {
  public:
-  /// Makes a tracker for a sensor. Called at once, so that bad parameters are found at the start; again for a
-  /// first scan of another geometry; and after each reset.
-  using MakeTracker = std::function<std::unique_ptr<Tracker>(const core::SonarParams&)>;
-  using OnResult = std::function<void(const ScanResult&)>;  ///< Once for each accepted scan, in their order.
-  using Report = std::function<void(const std::string&)>;
+  /// Makes a pipeline for a sensor. Called at once, so that bad parameters are found at the start; again for
+  /// a first scan of another geometry; and after each reset.
+  using MakePipeline = std::function<std::unique_ptr<ScanPipeline>(const core::SonarParams&)>;
+  using Ping = core::SonarScan;
+  using OnResult = std::function<void(const PingResult&)>;  ///< Once for each accepted scan, in their order.
+  using Report = std::function<void(const std::string&)>;   ///< One line for a person.
 
-  /// @throws std::invalid_argument on params out of range, or a lag with a tracker that cannot retrodict.
-  TrackingChain(const core::SonarParams& configured, MakeTracker make_tracker, OnResult on_result,
-                Report report, const ChainParams& params = {});
+  /// @throws std::invalid_argument on params out of range, see `make_pipeline`.
+  TrackingChain(
+      const ChainParams& params, OnResult on_result, Report report = [](const std::string&) {});
+  /// The same with a pipeline of one's own; of `params` only sensor, lag and intake are used.
+  TrackingChain(const ChainParams& params, MakePipeline make_pipeline, OnResult on_result, Report report);
   TrackingChain(const TrackingChain&) = delete;
   TrackingChain& operator=(const TrackingChain&) = delete;
 
@@ -54,24 +63,23 @@ class TrackingChain {
   std::int64_t newest_utime() const { return intake_.newest_utime(); }
 
  private:
-  /// A scan whose tracks are not due yet, and what it gave beside them.
+  /// A result whose tracks are not due yet.
   struct Delayed {
-    core::PosedScan scan;
+    PingResult result;
     std::vector<core::MotionElement> elements;
-    std::optional<core::SensorEstimate> sensor_estimate;
   };
 
   void track(const core::PosedScan& scan);
-  void delay(const core::PosedScan& scan);
+  void delay(const PingResult& result);
   void give_until(std::int64_t utime);
   void reset();
 
   core::SonarParams configured_;
-  MakeTracker make_tracker_;
+  MakePipeline make_pipeline_;
   OnResult on_result_;
   std::int64_t lag_;
-  std::unique_ptr<Tracker> tracker_;
-  bool is_fresh_ = true;  ///< The tracker has seen no scan.
+  std::unique_ptr<ScanPipeline> pipeline_;
+  bool is_fresh_ = true;  ///< The pipeline has seen no scan.
   std::deque<Delayed> delayed_;
   ScanIntake intake_;
 };

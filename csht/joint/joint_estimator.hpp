@@ -1,27 +1,34 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/sonar_params.hpp"
-#include "csht/joint/search.hpp"
-#include "csht/likelihood/sensor_figure_estimator.hpp"
+#include "csht/joint/joint_scene.hpp"
+#include "csht/joint/target_search.hpp"
 #include "csht/motion_estimator.hpp"
 
 namespace lookout::csht {
 
+/// An engine of one window: every pair is scored over all of it, and more is kept of what is doubtful, for
+/// nothing but the window tells. docs/joint_estimator.md.
+JointEngineParams window_engine();
+
 struct JointEstimatorParams {
-  JointSearchParams search;  ///< The speed limit in it is the sensor's.
-  SensorFigureParams figures;
-  /// The clutter model in it follows the sensor. Without the range gate: what may come in through the border
-  /// is reported later, and half as many false elements in an empty sea. docs/estimator.md.
-  SensorModelParams model{.range_gate = false};
+  JointEngineParams engine;  ///< In the scene of a tracker: its own parameters.
+  JointEngineParams alone =
+      window_engine();           ///< Where no scene is offered; the scans kept follow the window.
   int window_scans = 20;         ///< Scans in a full window, >= 3. [Yan2018] W.
   int first_estimate_scans = 3;  ///< Scans before anything is reported, >= 1.
   /// How many independent looks (one a window's duration) the prior number of targets weighs, > 0: the
   /// number is learnt from the stream, so that an empty sea becomes hard to convince.
   double prior_looks = 2.0;
   double memory_looks = 20.0;  ///< Looks after which older ones are forgotten, by e-folding, > 0.
+  /// Alone, hypotheses nearer than this are one (squared Mahalanobis, 4 degrees of freedom), > 0.
+  double merge_distance = 3.0;
+  double revise_above =
+      -3.0;  ///< Alone, log odds from which a hypothesis is drawn anew at every scan [nats].
   double min_existence = 0.5;  ///< Least probability of existence that is reported, in [0, 1].
 
   /// For a window in which every target is in view from the first scan on: no births and no entries within
@@ -29,36 +36,51 @@ struct JointEstimatorParams {
   static JointEstimatorParams window();
 };
 
-/// Motion estimation from all that the scans of a window hold: joint hypotheses in position and velocity,
-/// the exact likelihood of every beam, evidence against a prior in physical units. docs/estimator.md.
+/// Motion estimation from all that the scans hold: joint hypotheses in position and velocity, the exact
+/// likelihood of every beam, evidence against a prior in physical units. Offered the scene of a tracker it
+/// finds what the tracks there do not explain; alone it keeps a scene of one window in which nothing is
+/// explained, and draws its hypotheses anew at every scan. docs/joint_estimator.md.
 class JointEstimator : public MotionEstimator {
  public:
   /// @throws std::invalid_argument showing the value that is out of range.
   JointEstimator(const JointEstimatorParams& params, const core::SonarParams& sonar, std::uint64_t seed);
 
+  void offer(const Explained& explained) override { offered_ = explained.scene; }
   std::span<const core::MotionElement> update(const core::PosedScan& scan) override;
 
-  std::optional<core::SensorEstimate> sensor_estimate() const override { return figures_.estimate(); }
+  std::optional<core::SensorEstimate> sensor_estimate() const override;
   core::EstimatorMethod method() const override { return core::EstimatorMethod::joint; }
   int window_scans() const override { return params_.window_scans; }
-  const SensorFigureEstimator& sensor_figures() const { return figures_; }
-  const JointSearch& search() const { return search_; }
-  const ScanHistory& history() const { return history_; }
+
+  /// The scene that it keeps alone, after the first update without an offer.
+  const JointScene& scene() const { return own_->scene; }
 
  private:
-  void learn_density(std::span<const TargetHypothesis> targets);
-  void learn_figures(std::span<const TargetHypothesis> targets);
-  void report(std::span<const TargetHypothesis> targets);
+  /// What it keeps where no scene is offered.
+  struct Own {
+    JointScene scene;
+    TargetSearch search;
+  };
+
+  void find_beyond(JointScene& scene);
+  void estimate_alone(const core::PosedScan& scan);
+  void order_by_odds();
+  void merge_twins();
+  void revise_hypotheses();
+  void let_targets_claim();
+  void drop_hopeless();
+  void learn_density();
+  void report(std::span<const int> slots, double least_existence, const JointScene& scene);
+  core::MotionElement element_of(const TargetTrack& target, const JointScene& scene) const;
 
   JointEstimatorParams params_;
-  SensorFigureEstimator figures_;
-  ScanHistory history_;
-  ClaimSet none_;
-  JointSearch search_;
-  double looks_ = 0.0, targets_seen_ = 0.0;  ///< Looks taken, and the targets summed over them.
+  core::SonarParams sonar_;
   std::uint64_t seed_;
-  core::Random random_;
-  std::vector<KnownTarget> known_;
+  JointScene* offered_ = nullptr;
+  std::optional<Own> own_;
+  TargetSearch search_;     ///< In a scene that is offered.
+  std::vector<int> order_;  ///< Slots of its own scene, in the order in which they are handled.
+  double looks_ = 0.0, targets_seen_ = 0.0;  ///< Looks taken, and the targets summed over them.
   std::vector<core::MotionElement> elements_;
 };
 

@@ -14,8 +14,6 @@
 namespace lookout::csht {
 namespace {
 
-// A single line is scored fairly only when neighbouring beams are mixed in proportion to nearness.
-constexpr Tolerance kSeedTolerance{1.0, 0.5};
 constexpr double kMembershipGate = 16.0;  // Squared normalised distance beyond which no echo is a member.
 constexpr double kWeakPosition = 1e4;     // Variance of the prior on position [m^2]: keeps the fit solvable.
 constexpr std::size_t kReserve = 8192;    // Pairs for which memory is kept from the start.
@@ -44,13 +42,14 @@ int birth_window(const ScanHistory& scans, const BirthParams& params) {
   return static_cast<int>(std::min<double>(enough, oldest_within(params.window_s, scans)));
 }
 
-PairSeeds::PairSeeds(const BirthParams& params, const TargetPrior& prior) : params_(params), prior_(prior) {
+PairSeeds::PairSeeds(const BirthParams& params) : params_(params) {
   pairs_.resize(kReserve);
   pairs_.resize(0);
 }
 
-std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood) {
+std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const TargetPrior& prior) {
   seeds_.clear();
+  prior_ = prior;
   scans_ = &likelihood.scans();
   collect_free_echoes(likelihood);
   pair_echoes();
@@ -123,7 +122,7 @@ void PairSeeds::score(ScanLikelihood& likelihood, int oldest) {
   for (int age = scored_to_ + 1; age <= oldest; ++age) {
     std::fill(step_.begin(), step_.end(), 0.0);
     add_log_ratio(scans_->at_age(age), likelihood.mask(age, ScanLikelihood::kNobody, -1), pairs_.span(),
-                  scans_->seconds_at_age(age), kSeedTolerance, step_);
+                  scans_->seconds_at_age(age), params_.seed_tolerance, step_);
     for (std::size_t i = 0; i < scores_.size(); ++i) {
       sum_[i] += step_[i];
       if (sum_[i] > scores_[i].best) scores_[i] = {sum_[i], age};
@@ -221,7 +220,7 @@ void PairSeeds::weigh(ScanLikelihood& likelihood, int oldest) {
   for (int age = oldest; age >= 0; --age) {
     add_births(likelihood.log_birth(age), step_);
     add_log_ratio(scans_->at_age(age), likelihood.mask(age, ScanLikelihood::kNobody, -1), lines_.span(),
-                  scans_->seconds_at_age(age), kSeedTolerance, step_);
+                  scans_->seconds_at_age(age), params_.line_tolerance, step_);
   }
   const double log_density = prior_.log_standing(scans_->newest());
   for (std::size_t k = 0; k < seeds_.size(); ++k)

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "csht/joint/density/target_prior.hpp"
 #include "csht/joint/density/engine_params.hpp"
+#include "csht/joint/density/target_prior.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
 
 namespace lookout::csht {
@@ -37,10 +37,11 @@ struct LineFit {
 /// docs/tracker.md.
 class PairSeeds {
  public:
-  PairSeeds(const BirthParams& params, const TargetPrior& prior);
+  explicit PairSeeds(const BirthParams& params);
 
   /// Seeds of the newest scan, most probable first. @param likelihood with the claims of all tracks.
-  std::span<const BirthSeed> propose(ScanLikelihood& likelihood);
+  /// @param prior of the targets.
+  std::span<const BirthSeed> propose(ScanLikelihood& likelihood, const TargetPrior& prior);
 
  private:
   struct Echo {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "csht/likelihood/blurred_likelihood.hpp"
 #include "csht/likelihood/fast_math.hpp"
@@ -261,6 +262,7 @@ void multiply_by_ratio(const ScanTable& scan, const BeamMask* mask, const Hypoth
 
 LOOKOUT_VECTOR_CLONES
 void add_births(double log_birth, std::span<double> log_ratio) {
+  if (log_birth == -std::numeric_limits<double>::infinity()) return;
   double* values = log_ratio.data();
   const std::size_t count = log_ratio.size();
   for (std::size_t i = 0; i < count; ++i) {

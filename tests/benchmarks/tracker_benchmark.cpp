@@ -10,7 +10,7 @@
 
 #include "tools/cli/thread_time.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
-#include "tracking/tracker_registry.hpp"
+#include "tools/experiments/tracking/tracking_run.hpp"
 
 namespace {
 
@@ -33,13 +33,11 @@ struct Scene {
 
 /// Milliseconds of each update of one run.
 std::vector<double> times_of(const std::string& name, const Scene& scene) {
-  csht::EstimatorParams estimator;
-  estimator.name = "csht";
-  const auto tracker = tracking::make_tracker(name, {}, scene.sonar, estimator, kSeed);
+  const auto pipeline = tools::pipeline_of(name, scene.sonar, kSeed);
   std::vector<double> times;
   for (const auto& scan : scene.scans) {
     const double start = tools::thread_time_ms();
-    benchmark::DoNotOptimize(tracker->update(scan.posed).data());
+    benchmark::DoNotOptimize(pipeline->step(scan.posed).tracks.data());
     times.push_back(tools::thread_time_ms() - start);
   }
   return times;

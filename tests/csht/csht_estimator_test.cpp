@@ -122,7 +122,7 @@ TEST(CshtEstimator, AcceptsAnOfferedTrackOnLessEvidence) {
   estimate(offered, {scans.begin(), scans.end() - 1});
   core::Track track;
   track.state << kCourses[0].at(9.0), kCourses[0].velocity;
-  offered.offer(std::vector<core::Track>{track});
+  offered.offer({{&track, 1}});
   EXPECT_EQ(offered.update(scans.back()).size(), 1U);
 }
 

@@ -21,7 +21,7 @@ TEST_P(HotPath, AllocatesNothingOnceWarm) {
   for (int window = 0; window < 4; ++window) {
     if (window == 3) before = lookout::testing::allocations();
     for (auto& scan : scans) {
-      estimator->offer({&track, 1});
+      estimator->offer({{&track, 1}});
       estimator->update(scan);
       scan.scan.utime += 20 * 500'000;
     }

@@ -9,29 +9,14 @@
 namespace lookout::tracking {
 namespace {
 
-/// Says what the test told it to, and remembers what it was offered.
-class ScriptedEstimator : public csht::MotionEstimator {
- public:
-  std::span<const core::MotionElement> update(const core::PosedScan& /*scan*/) override { return script; }
-  void offer(std::span<const core::Track> tracks) override { offered.assign(tracks.begin(), tracks.end()); }
-  core::EstimatorMethod method() const override { return core::EstimatorMethod::csht; }
-  int window_scans() const override { return 20; }
-
-  std::vector<core::MotionElement> script;
-  std::vector<core::Track> offered;
-};
-
 class CshtTrackerTest : public testing::Test {
  protected:
-  CshtTrackerTest() {
-    auto estimator = std::make_unique<ScriptedEstimator>();
-    estimator_ = estimator.get();
-    tracker_ = std::make_unique<CshtTracker>(CshtTrackerParams{}, core::SonarParams{}, std::move(estimator));
-  }
   std::span<const core::Track> step(const std::vector<core::MotionElement>& script,
                                     const std::vector<Eigen::Vector2d>& echoes = {}) {
-    estimator_->script = script;
-    return tracker_->update(scan_of(scan_++, echoes));
+    const core::PosedScan scan = scan_of(scan_++, echoes);
+    const auto offered = tracker_.take(scan).tracks;
+    offered_.assign(offered.begin(), offered.end());
+    return tracker_.update(scan, script);
   }
   static core::MotionElement element(double north, double north_velocity, double existence = 1.0) {
     core::MotionElement element;
@@ -42,8 +27,8 @@ class CshtTrackerTest : public testing::Test {
     return element;
   }
 
-  ScriptedEstimator* estimator_ = nullptr;
-  std::unique_ptr<CshtTracker> tracker_;
+  std::vector<core::Track> offered_;
+  CshtTracker tracker_{{}, {}};
   int scan_ = 0;
 };
 
@@ -82,8 +67,8 @@ TEST_F(CshtTrackerTest, AnElementThatHardlyExistsIsAFalseTarget) {
 TEST_F(CshtTrackerTest, OffersItsTracksAsTheyWereAtTheLastScan) {
   step({element(50.0, 1.0)});
   step({});
-  ASSERT_EQ(estimator_->offered.size(), 1U);
-  EXPECT_NEAR(estimator_->offered[0].state(0), 50.0, 1e-12);
+  ASSERT_EQ(offered_.size(), 1U);
+  EXPECT_NEAR(offered_[0].state(0), 50.0, 1e-12);
 }
 
 TEST_F(CshtTrackerTest, DropsATrackThatTheWindowNoLongerSupports) {
@@ -102,7 +87,7 @@ TEST_F(CshtTrackerTest, AnOldTrackFollowsItsSamples) {
 TEST(CshtTracker, RefusesParametersOutOfRange) {
   CshtTrackerParams params;
   params.min_existence = 1.5;
-  EXPECT_THROW(CshtTracker(params, {}, std::make_unique<ScriptedEstimator>()), std::invalid_argument);
+  EXPECT_THROW(CshtTracker(params, {}), std::invalid_argument);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include "core/random.hpp"
 #include "tests/support/allocation_counter.hpp"
 #include "tests/support/sonar_scene.hpp"
-#include "tracking/tracker_registry.hpp"
+#include "tracking/tracking_chain.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -31,15 +31,16 @@ class TrackerAllocation : public ::testing::TestWithParam<Case> {};
 TEST_P(TrackerAllocation, NothingPerScanOnceWarm) {
   constexpr int kWarm = 100, kCalm = 40, kCounted = 100;
   constexpr int kFewFalse = 4;  // buffers follow the densest scans so far
-  TrackerParams params;
-  params.initiator = GetParam().initiator;
-  const auto tracker = make_tracker(GetParam().tracker, params, {}, {}, 1);
+  ChainParams params;
+  params.tracker.name = GetParam().tracker;
+  params.tracker.initiator = GetParam().initiator;
+  const auto pipeline = make_pipeline(params, {});
   core::Random random(1001);
   std::size_t allocated = 0;
   for (int k = 0; k < kWarm + kCalm + kCounted; ++k) {
     const auto scan = noisy_scan(k, k < kWarm ? GetParam().many_false : kFewFalse, random);
     const std::size_t before = lookout::testing::allocations();
-    tracker->update(scan);
+    pipeline->step(scan);
     if (k >= kWarm + kCalm) allocated += lookout::testing::allocations() - before;
   }
   EXPECT_EQ(allocated, 0U);

@@ -11,12 +11,12 @@ namespace lookout::tracking {
 namespace {
 
 TEST(TrackerRegistry, MakesEveryNameItShows) {
-  for (const auto& name : tracker_names()) EXPECT_NE(make_tracker(name, {}, {}, {}, 1), nullptr) << name;
+  for (const auto& name : tracker_names()) EXPECT_NE(make_tracker(name, {}, {}, 1), nullptr) << name;
 }
 
 TEST(TrackerRegistry, NamesWhatItAccepts) {
   try {
-    make_tracker("nothing", {}, {}, {}, 1);
+    make_tracker("nothing", {}, {}, 1);
     FAIL() << "an unknown name was accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("gnn"), std::string::npos);

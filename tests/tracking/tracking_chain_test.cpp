@@ -10,14 +10,16 @@ namespace {
 constexpr std::int64_t kSecond = 1'000'000;
 constexpr std::int64_t kHour = 3600 * kSecond;
 
-/// Reports one track whose id counts the scans since the tracker was made; in retrospect, one whose state is
-/// the time that was asked for, in seconds, and whose id is still the count by now.
+/// Reports one track with a new identity at every scan; in retrospect, one whose state is
+/// the time that was asked for, in seconds, and whose identity is still the newest.
 class CountingTracker final : public Tracker {
  public:
-  std::span<const core::Track> update(const core::PosedScan&) override {
+  std::span<const core::Track> update(const core::PosedScan&, std::span<const core::MotionElement>) override {
     ++track_.id;
     return {&track_, 1};
   }
+  std::int64_t next_id() const override { return track_.id + 1; }
+  void set_next_id(std::int64_t id) override { track_.id = id - 1; }
   bool can_retrodict() const override { return true; }
   std::span<const core::Track> retrodict(std::int64_t utime) override {
     track_.state[0] = core::seconds(utime);
@@ -30,8 +32,17 @@ class CountingTracker final : public Tracker {
 
 class ForgetfulTracker final : public Tracker {
  public:
-  std::span<const core::Track> update(const core::PosedScan&) override { return {}; }
+  std::span<const core::Track> update(const core::PosedScan&, std::span<const core::MotionElement>) override {
+    return {};
+  }
+  std::int64_t next_id() const override { return 1; }
+  void set_next_id(std::int64_t /*id*/) override {}
 };
+
+template <class T>
+std::unique_ptr<ScanPipeline> pipeline_of(const core::SonarParams& /*sensor*/) {
+  return std::make_unique<ScanPipeline>(nullptr, std::make_unique<T>());
+}
 
 /// What came out of a chain: the time of the scan, the track's id and its first coordinate.
 struct Given {
@@ -44,12 +55,14 @@ struct Given {
 class TrackingChainTest : public ::testing::Test {
  protected:
   std::unique_ptr<TrackingChain> chain(std::int64_t lag) {
+    ChainParams params;
+    params.lag = lag;
     return std::make_unique<TrackingChain>(
-        core::SonarParams(), [](const core::SonarParams&) { return std::make_unique<CountingTracker>(); },
-        [this](const ScanResult& result) {
-          given_.push_back({result.scan.scan.utime, result.tracks[0].id, result.tracks[0].state[0]});
+        params, &pipeline_of<CountingTracker>,
+        [this](const PingResult& result) {
+          given_.push_back({result.utime, result.tracks[0].id, result.tracks[0].state[0]});
         },
-        [](const std::string&) {}, ChainParams{.lag = lag, .intake = {}});
+        [](const std::string&) {});
   }
   static void feed(TrackingChain& chain, std::int64_t utime) {
     chain.add(core::VehicleState{utime, {}, {0.0, 0.0}});
@@ -63,13 +76,13 @@ class TrackingChainTest : public ::testing::Test {
   std::vector<Given> given_;
 };
 
-TEST_F(TrackingChainTest, GivesTracksForEachScanAndANewTrackerToANewClock) {
+TEST_F(TrackingChainTest, GivesTracksForEachScanAndUsesNoIdentityTwiceOnANewClock) {
   const auto online = chain(0);
   for (int i = 0; i < 3; ++i) feed(*online, kHour + i * kSecond);
   for (int i = 0; i < 6; ++i) feed(*online, i * kSecond);
   std::vector<std::int64_t> ids;
   for (const auto& given : given_) ids.push_back(given.id);
-  EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2, 3, 1, 2}));
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2, 3, 4, 5}));
   EXPECT_EQ(online->counts().resets, 1);
 }
 
@@ -93,11 +106,33 @@ TEST_F(TrackingChainTest, WithALagGivesWhatWaitsBeforeANewClock) {
 TEST_F(TrackingChainTest, RefusesALagThatNobodyCanServe) {
   EXPECT_THROW(chain(-1), std::invalid_argument);
   EXPECT_THROW(chain(61 * kSecond), std::invalid_argument);
+  ChainParams params;
+  params.lag = 1;
   EXPECT_THROW(
       TrackingChain(
-          core::SonarParams(), [](const core::SonarParams&) { return std::make_unique<ForgetfulTracker>(); },
-          [](const ScanResult&) {}, [](const std::string&) {}, ChainParams{.lag = 1, .intake = {}}),
+          params, &pipeline_of<ForgetfulTracker>, [](const PingResult&) {}, [](const std::string&) {}),
       std::invalid_argument);
+}
+
+TEST(MakePipeline, RefusesADelayThatTheTrackerCannotGive) {
+  ChainParams params;
+  params.tracker.name = "gnn";
+  params.lag = 5 * kSecond;
+  EXPECT_THROW(make_pipeline(params, {}), std::invalid_argument);
+  params.tracker.name = "joint";
+  EXPECT_TRUE(make_pipeline(params, {})->can_retrodict());
+}
+
+// What another program writes to have the whole chain.
+TEST(TrackingChain, IsFiveLinesForAProgramOfOnesOwn) {
+  std::int64_t scans = 0;
+  TrackingChain chain(
+      {}, [&scans](const PingResult& result) { scans += result.method == core::EstimatorMethod::joint; });
+  chain.add(core::VehicleState{0, {}, {}});
+  chain.add(core::SonarScan{
+      .utime = 0, .first_bearing = -0.5, .bearing_step = 0.1, .max_range = 90.0, .num_beams = 11});
+  chain.finish();
+  EXPECT_EQ(scans, 1);
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kDefaultTracker = "joint";
 
 /// The faithful tracker is driven by the faithful estimator; beside every other tracker stands the best one.
-std::string default_estimator(const std::string& tracker) {
+std::string estimator_beside(const std::string& tracker) {
   return tracker == "csht" ? "csht" : "joint";
 }
 constexpr const char* kImageEstimator = "h_pmht";
@@ -61,6 +61,13 @@ std::int64_t lag_of(const Options& options) {
   return core::microseconds(lag);
 }
 
+void check_lag(const Configuration& configuration) {
+  const tracking::TrackerParams& tracker = configuration.tracker;
+  if (configuration.lag == 0 || tracks_images(configuration)) return;
+  if (!tracking::make_tracker(tracker.name, tracker, configuration.sensor, 1)->can_retrodict())
+    throw core::InputError("--lag: tracker " + tracker.name + " has no delayed output, expected 0");
+}
+
 }  // namespace
 
 Configuration load_configuration(const Options& options) {
@@ -76,8 +83,9 @@ Configuration load_configuration(const Options& options) {
   configuration.explain = options.explain;
   configuration.lag = lag_of(options);
   if (configuration.estimator.name.empty())
-    configuration.estimator.name = default_estimator(configuration.tracker.name);
+    configuration.estimator.name = estimator_beside(configuration.tracker.name);
   configuration.tracker.births = configuration.initiator;
+  check_lag(configuration);
   return configuration;
 }
 

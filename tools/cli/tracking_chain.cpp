@@ -2,10 +2,7 @@
 
 #include <cstdio>
 
-#include "core/input_error.hpp"
 #include "tools/cli/log.hpp"
-#include "tracking/estimating_tracker.hpp"
-#include "tracking/latency.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -23,41 +20,31 @@ void log_decision(const tracking::TrackDecision& decision) {
 
 }  // namespace
 
-tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configuration, std::uint64_t seed) {
-  return [configuration, seed](const core::SonarParams& sensor) -> std::unique_ptr<tracking::Tracker> {
-    const csht::EstimatorParams& estimator = configuration.estimator;
-    auto tracker =
-        tracking::make_tracker(configuration.tracker.name, configuration.tracker, sensor, estimator, seed);
-    if (configuration.lag > 0 && !tracker->can_retrodict())
-      throw core::InputError("--lag: tracker " + configuration.tracker.name +
-                             " has no delayed output, expected 0");
-    if (!tracker->has_estimator())
-      tracker = std::make_unique<tracking::EstimatingTracker>(
-          std::move(tracker), csht::make_estimator(estimator.name, estimator, sensor, seed));
-    tracker = tracking::make_up_for_latency(std::move(tracker), sensor);
-    if (configuration.explain) tracker->explain_to(&log_decision);
-    return tracker;
-  };
+tracking::ChainParams chain_params(const Configuration& configuration, std::uint64_t seed) {
+  tracking::ChainParams params;
+  params.sensor = configuration.sensor;
+  params.estimator = configuration.estimator;
+  params.tracker = configuration.tracker;
+  params.seed = seed;
+  params.lag = configuration.lag;
+  if (configuration.explain) params.explain_to = &log_decision;
+  return params;
+}
+
+void ChainOutput::add(const tracking::PingResult& result) {
+  tracks.push_back({result.utime, {result.tracks.begin(), result.tracks.end()}});
+  elements.push_back({result.utime, {result.elements.begin(), result.elements.end()}});
 }
 
 RecordedChain::RecordedChain(const Configuration& configuration, std::uint64_t seed)
     : chain_(
-          configuration.sensor, tracker_maker(configuration, seed),
-          [this](const tracking::ScanResult& result) {
-            const std::int64_t utime = result.scan.scan.utime;
-            output_.tracks.push_back({utime, {result.tracks.begin(), result.tracks.end()}});
-            output_.elements.push_back({utime, {result.elements.begin(), result.elements.end()}});
-          },
-          [](const std::string& line) { log_warning(line); },
-          tracking::ChainParams{.lag = configuration.lag, .intake = {}}) {}
+          chain_params(configuration, seed),
+          [this](const tracking::PingResult& result) { output_.add(result); },
+          [](const std::string& line) { log_warning(line); }) {}
 
 RecordedImageChain::RecordedImageChain(const Configuration& configuration)
     : chain_(
-          configuration.sensor, "h_pmht",
-          [this](const core::PosedImage& posed, std::span<const core::Track> tracks) {
-            output_.tracks.push_back({posed.image.utime, {tracks.begin(), tracks.end()}});
-            output_.elements.push_back({posed.image.utime, tracking::as_elements(tracks, posed.image.utime)});
-          },
+          configuration.sensor, "h_pmht", [this](const tracking::PingResult& result) { output_.add(result); },
           [](const std::string& line) { log_warning(line); }) {}
 
 std::string describe(const tracking::IntakeCounts& counts) {

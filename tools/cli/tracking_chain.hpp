@@ -10,13 +10,15 @@
 
 namespace lookout::tools {
 
-/// Makes the tracker that the configuration names, for a sensor of any geometry.
-tracking::TrackingChain::MakeTracker tracker_maker(const Configuration& configuration, std::uint64_t seed);
+/// The chain that the configuration names; decisions go to the log where it asks for them.
+tracking::ChainParams chain_params(const Configuration& configuration, std::uint64_t seed);
 
 /// What tracking a stream of scans gives.
 struct ChainOutput {
   std::vector<core::TrackList> tracks;      ///< One list an accepted scan, empty ones included.
   std::vector<core::ElementList> elements;  ///< Likewise.
+
+  void add(const tracking::PingResult& result);
 };
 
 /// The on-vehicle chain in one process, its output kept: vehicle states and scans in, in order of arrival;

@@ -1,12 +1,13 @@
+#include <memory>
+#include <utility>
+
 #include "core/csv.hpp"
-#include "core/estimator_names.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/live.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/tracking_chain.hpp"
 #include "tools/commands/commands.hpp"
 #include "tracking/node/tracker_node.hpp"
-#include "tracking/track_before_detect/images/image_tracker_node.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -37,19 +38,26 @@ int track_command(const Options& options) {
   tracking::TrackerNodeParams params;
   params.channel_prefix = options.channel_prefix;
   params.node_id = options.node_id;
-  params.sensor = configuration.sensor;
-  params.method = core::estimator_method(configuration.estimator.name).value_or(params.method);
-  params.window_scans = configuration.estimator.window_scans;
   params.publish_estimates = options.publish_estimates;
-  params.lag = configuration.lag;
   params.link = configuration.fusion.link;
   lcmtypes::Bus bus(options.lcm_url);
   if (tracks_images(configuration)) {
-    tracking::ImageTrackerNode node(bus, params, warn);
+    tracking::ImageTrackerNode node(
+        bus, params,
+        [&configuration](auto on_result, auto report) {
+          return std::make_unique<tracking::ImageChain>(configuration.sensor, "h_pmht", std::move(on_result),
+                                                        std::move(report));
+        },
+        warn);
     log_info("track: h_pmht on SONAR_IMAGE");
     return work(node, limits, options);
   }
-  tracking::TrackerNode node(bus, params, tracker_maker(configuration, options.seed), warn);
+  tracking::TrackerNode node(
+      bus, params,
+      [chain = chain_params(configuration, options.seed)](auto on_result, auto report) {
+        return std::make_unique<tracking::TrackingChain>(chain, std::move(on_result), std::move(report));
+      },
+      warn);
   log_info("track: tracker " + configuration.tracker.name + ", seed " + std::to_string(options.seed));
   return work(node, limits, options);
 }

@@ -17,7 +17,8 @@ GnnTracker::GnnTracker(const GnnParams& params, const core::SonarParams& sonar,
   params.motion.validate();
 }
 
-std::span<const core::Track> GnnTracker::update(const core::PosedScan& scan) {
+std::span<const core::Track> GnnTracker::update(const core::PosedScan& scan,
+                                                std::span<const core::MotionElement> /*elements*/) {
   const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
   csht::scan_to_detections(scan, 0, detections_);
   book_.predict_to(scan.scan.utime, params_.motion);

@@ -29,7 +29,11 @@ class GnnTracker : public Tracker {
   GnnTracker(const GnnParams& params, const core::SonarParams& sonar,
              std::unique_ptr<BirthMethod> births = nullptr);
 
-  std::span<const core::Track> update(const core::PosedScan& scan) override;
+  /// Works on detections alone: `elements` are not used.
+  std::span<const core::Track> update(const core::PosedScan& scan,
+                                      std::span<const core::MotionElement> elements) override;
+  std::int64_t next_id() const override { return book_.next_id(); }
+  void set_next_id(std::int64_t id) override { book_.set_next_id(id); }
 
  private:
   void associate(const core::SonarParams& sonar);

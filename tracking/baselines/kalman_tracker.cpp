@@ -39,7 +39,8 @@ KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams
     throw std::invalid_argument("gate_distance must be > 0, got " + std::to_string(params.gate_distance));
 }
 
-std::span<const core::Track> KalmanTracker::update(const core::PosedScan& scan) {
+std::span<const core::Track> KalmanTracker::update(const core::PosedScan& scan,
+                                                   std::span<const core::MotionElement> /*elements*/) {
   const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
   csht::scan_to_detections(scan, 0, detections_);
   free_detection_.assign(detections_.size(), 1);

@@ -1,48 +1,42 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
+#include "core/motion_element.hpp"
 #include "core/sonar_scan.hpp"
 #include "core/track.hpp"
-#include "csht/joint/evidence/beam_claims.hpp"
-#include "csht/joint/evidence/memory_span.hpp"
-#include "csht/joint/pair_seeds.hpp"
+#include "csht/joint/target_search.hpp"
 #include "tracking/initiation/birth_method.hpp"
 #include "tracking/joint/joint_params.hpp"
 #include "tracking/joint/tracker_state.hpp"
 
 namespace lookout::tracking {
 
-/// Begins tracks: on the seeds of its own pairs of echoes, or on what a birth method proposes, where the
-/// evidence for a seed is worth a tentative track.
+/// Begins tracks: on the hypotheses that the joint estimator found in the tracker's own scene, on the
+/// elements of another estimator, or on what a birth method proposes. The last two are weighed as seeds.
 class Births {
  public:
-  /// @param params validated. @param births null: pairs of echoes.
-  Births(const JointTrackerParams& params, const csht::TargetPrior& prior,
-         std::unique_ptr<BirthMethod> births);
+  /// @param params validated. @param proposals in place of motion elements; null: those.
+  Births(const JointTrackerParams& params, std::unique_ptr<BirthMethod> proposals);
+
+  /// Whether tracks begin on motion elements.
+  bool takes_elements() const { return proposals_ == nullptr; }
 
   /// Begins tracks at the newest scan, which is `scan`.
-  void begin(const core::PosedScan& scan, TrackerState& state);
+  void begin(const core::PosedScan& scan, std::span<const core::MotionElement> elements, TrackerState& state);
 
  private:
-  void begin_on_pairs(TrackerState& state);
-  void begin_on_proposals(const core::PosedScan& scan, TrackerState& state);
-  bool known(const csht::BirthSeed& seed, TrackerState& state) const;
-  bool draw(const csht::BirthSeed& seed, double& log_odds, TrackerState& state) const;
-  void begin_track(const csht::BirthSeed& seed, TrackerState& state);
+  void weigh(std::span<const core::MotionElement> elements, TrackerState& state);
+  std::span<const core::Track> living(const TrackerState& state);
+  static void tell(std::span<const int> slots, const TrackerState& state);
 
-  csht::BirthParams params_;
-  LifeParams life_;
-  csht::TrajectoryCloudParams cloud_;
-  csht::MemorySpan memory_;
-  csht::TargetPrior prior_;
-  double log_density_ = 0.0;  ///< ln of the prior density of targets at the newest scan.
-  csht::AgeSpan window_;      ///< Scans that a seed is weighed over.
-  csht::PairSeeds birth_;
-  std::unique_ptr<BirthMethod> births_;
-  std::vector<core::Track> living_;  ///< What `births_` is told of the tracks.
-  csht::BeamClaims observer_;
+  csht::TargetSearch search_;  ///< For elements of other methods.
+  std::unique_ptr<BirthMethod> proposals_;
+  std::vector<csht::BirthSeed> seeds_;
+  std::vector<int> adopted_;
+  std::vector<core::Track> living_;  ///< What `proposals_` is told of the tracks.
 };
 
 }  // namespace lookout::tracking

@@ -49,7 +49,7 @@ void Deletion::note_view(csht::TargetTrack& track, const TrackerState& state) co
 }
 
 const char* Deletion::reason_to_end(const csht::TargetTrack& track, const TrackerState& state) const {
-  const double least = track.confirmed_once ? params_.end_log_odds : params_.tentative_log_odds;
+  const double least = track.confirmed_once ? params_.end_log_odds : tentative_log_odds_;
   if (track.log_odds < least) return "too little evidence left";
   if (!track.out_of_view) return nullptr;
   if (!track.confirmed_once) return "left the field of view unconfirmed";

@@ -9,7 +9,8 @@ namespace lookout::tracking {
 class Deletion {
  public:
   /// @param params validated.
-  explicit Deletion(const LifeParams& params) : params_(params) {}
+  explicit Deletion(const JointTrackerParams& params)
+      : params_(params.life), tentative_log_odds_(params.hypotheses.tentative_log_odds) {}
 
   /// Of two tracks that are on one target the less probable ends.
   void end_twins(TrackerState& state) const;
@@ -23,6 +24,7 @@ class Deletion {
   const char* reason_to_end(const csht::TargetTrack& track, const TrackerState& state) const;
 
   LifeParams params_;
+  double tentative_log_odds_;
 };
 
 }  // namespace lookout::tracking

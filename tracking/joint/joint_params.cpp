@@ -1,11 +1,9 @@
-#include <stdexcept>
-#include <string>
-
 #include "tracking/joint/joint_params.hpp"
 
 #include <cmath>
 
 #include "core/parameter_check.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -34,18 +32,14 @@ void validate(const MotionChangeParams& p) {
 }
 
 void validate(const LifeParams& p) {
-  core::require(p.tentative_log_odds < 0.0, "tentative_log_odds must be < 0", p.tentative_log_odds);
   core::require(p.end_log_odds < 0.0, "end_log_odds must be < 0", p.end_log_odds);
   core::require(p.mean_life_s > 0.0, "mean_life_s must be > 0", p.mean_life_s);
   core::require(p.coast_s >= 0.0, "coast_s must be >= 0", p.coast_s);
   core::require(p.return_s >= 0.0, "return_s must be >= 0", p.return_s);
-  core::require(p.max_tracks >= 1, "max_tracks must be >= 1", p.max_tracks);
-  core::require(p.ready_tracks >= 0, "ready_tracks must be >= 0", p.ready_tracks);
   core::require(p.twin_distance >= 0.0, "twin_distance must be >= 0", p.twin_distance);
   core::require(p.twin_speed >= 0.0, "twin_speed must be >= 0", p.twin_speed);
   core::require(p.in_view_share > 0.0 && p.in_view_share < 1.0, "in_view_share must be in (0, 1)",
                 p.in_view_share);
-  core::require(p.settled_log_odds > 0.0, "settled_log_odds must be > 0", p.settled_log_odds);
 }
 
 void validate(const ReportParams& p) {
@@ -61,11 +55,6 @@ void validate(const ReportParams& p) {
                 "published_tentative must be in [0, 1]", p.published_tentative);
 }
 
-void validate(const SensorLearningParams& p) {
-  core::require(p.least_change > 0.0, "least_change must be > 0", p.least_change);
-  core::require(p.target_samples >= 1, "target_samples must be >= 1", p.target_samples);
-}
-
 void validate(const HeadingParams& p) {
   core::require(p.steps >= 1, "heading steps must be >= 1", p.steps);
   core::require(p.reach_sigmas > 0.0, "reach_sigmas must be > 0", p.reach_sigmas);
@@ -76,15 +65,10 @@ void validate(const HeadingParams& p) {
 }  // namespace
 
 void validate(const JointTrackerParams& params) {
-  csht::validate(params.sensor);
-  csht::validate(params.prior);
-  csht::validate(params.cloud);
-  csht::validate(params.observer);
-  csht::validate(params.birth);
+  csht::validate(static_cast<const csht::JointEngineParams&>(params));
   validate(params.manoeuvre);
   validate(params.life);
   validate(params.report);
-  validate(params.learning);
   validate(params.heading);
 }
 

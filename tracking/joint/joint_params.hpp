@@ -37,18 +37,14 @@ struct MotionChangeParams {
 
 /// When tracks begin, are confirmed and end.
 struct LifeParams {
-  double tentative_log_odds = -6.0;  ///< Existence from which a track is kept. docs/tracker.md.
-  double end_log_odds = -3.0;        ///< Existence below which a track that was confirmed ends.
-  double mean_life_s = 500.0;        ///< Mean time after which a target vanishes in view [s], > 0.
-  double coast_s = 10.0;             ///< How long a track is published since it was last in view [s], >= 0.
-  double return_s = 30.0;            ///< How long it is kept, in case it comes back [s], >= 0; no less than
-                                     ///< the coast. At 6 deg/s a target has turned round in that time.
-  int max_tracks = 512;              ///< Tracks of any status, >= 1; more are not begun.
-  int ready_tracks = 64;             ///< Tracks that memory is kept for from the start, >= 0.
-  double twin_distance = 4.0;        ///< Two tracks nearer than this [m] ...
-  double twin_speed = 0.5;           ///< ... and in velocity [m/s] are one target's.
-  double in_view_share = 0.5;        ///< Visible share below which a track counts as out of view, in (0, 1).
-  double settled_log_odds = 4.0;  ///< Existence above which odds are only updated, not estimated again, > 0.
+  double end_log_odds = -3.0;  ///< Existence below which a track that was confirmed ends.
+  double mean_life_s = 500.0;  ///< Mean time after which a target vanishes in view [s], > 0.
+  double coast_s = 10.0;       ///< How long a track is published since it was last in view [s], >= 0.
+  double return_s = 30.0;      ///< How long it is kept, in case it comes back [s], >= 0; no less than
+                               ///< the coast. At 6 deg/s a target has turned round in that time.
+  double twin_distance = 4.0;  ///< Two tracks nearer than this [m] ...
+  double twin_speed = 0.5;     ///< ... and in velocity [m/s] are one target's.
+  double in_view_share = 0.5;  ///< Visible share below which a track counts as out of view, in (0, 1).
 };
 
 /// What is reported.
@@ -72,23 +68,11 @@ struct HeadingParams {
   double least_existence = 0.5;  ///< Of tracks that tell, in (0, 1].
 };
 
-/// What the tracks teach of the sensor.
-struct SensorLearningParams {
-  double least_change = 0.01;  ///< Relative change of a sensor figure that is worth a rewrite, > 0.
-  int target_samples = 32;     ///< Trajectories that stand for a target, >= 1.
-};
-
-struct JointTrackerParams {
-  csht::SensorModelParams sensor;
-  csht::Tolerance tolerance;  ///< Of tracks and of evidence; see there.
-  csht::TargetPriorParams prior;
-  csht::TrajectoryCloudParams cloud;
-  csht::BeamClaimParams observer;
-  csht::BirthParams birth;
+/// The joint tracker: the engine that it shares with the joint estimator, and what only tracks have.
+struct JointTrackerParams : csht::JointEngineParams {
   MotionChangeParams manoeuvre;
   LifeParams life;
   ReportParams report;
-  SensorLearningParams learning;
   HeadingParams heading;
 };
 

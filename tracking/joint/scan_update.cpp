@@ -11,6 +11,7 @@ namespace lookout::tracking {
 ScanUpdate::ScanUpdate(const JointTrackerParams& params)
     : cloud_(params.cloud),
       life_(params.life),
+      settled_log_odds_(params.hypotheses.settled_log_odds),
       memory_{params.cloud.memory_s, params.manoeuvre.memory_s, params.manoeuvre.least_scans},
       manoeuvre_(params.manoeuvre, params.cloud.trajectories),
       observer_(params.observer) {}
@@ -19,8 +20,7 @@ void ScanUpdate::predict(double seconds, TrackerState& state) const {
   const double survival = std::exp(-seconds / life_.mean_life_s);
   for (csht::TargetTrack& track : state.tracks) {
     if (!track.used) continue;
-    track.cloud.predict(seconds);
-    track.moments = track.cloud.moments();
+    track.advance(seconds);
     track.log_odds = csht::log_odds(track.existence() * survival);
   }
 }
@@ -85,7 +85,7 @@ void ScanUpdate::refresh(csht::TargetTrack& track, TrackerState& state) {
   task.rounds = cloud_.refresh_rounds;
   if (track.cloud.motion != csht::Motion::line && !task.ages.births)
     task.anchor = manoeuvre_.anchor(task.guess, state.scans().seconds_at_age(task.ages.oldest));
-  if (track.log_odds >= life_.settled_log_odds && track.cloud.motion != csht::Motion::bend) {
+  if (track.log_odds >= settled_log_odds_ && track.cloud.motion != csht::Motion::bend) {
     state.sampler.move(task, state.likelihood, state.random, track.cloud);
     track.claims_are_fresh = false;
     return;
@@ -128,7 +128,7 @@ void ScanUpdate::judge_motion(csht::TargetTrack& track, TrackerState& state) {
 // The odds of a track by the evidence for its whole life; those of a settled one are left.
 void ScanUpdate::estimate_odds(double life_evidence, csht::TargetTrack& track) const {
   const double odds = life_evidence + track.log_density + manoeuvre_.log_share(track.cloud.motion);
-  if (track.log_odds < life_.settled_log_odds) track.log_odds = std::min(odds, life_.settled_log_odds);
+  if (track.log_odds < settled_log_odds_) track.log_odds = std::min(odds, settled_log_odds_);
 }
 
 void ScanUpdate::change_model(const MotionChange::Judgement& judgement, csht::TargetTrack& track,
@@ -138,7 +138,7 @@ void ScanUpdate::change_model(const MotionChange::Judgement& judgement, csht::Ta
   // What the line lost by not bending was no evidence against the target.
   if (track.cloud.motion != csht::Motion::line)
     track.log_odds =
-        std::max(track.log_odds, std::min(track.log_odds + judgement.evidence, life_.settled_log_odds));
+        std::max(track.log_odds, std::min(track.log_odds + judgement.evidence, settled_log_odds_));
 }
 
 void ScanUpdate::tell_change(const MotionChange::Judgement& judgement, const csht::TargetTrack& track,

@@ -35,6 +35,7 @@ class ScanUpdate {
 
   csht::TrajectoryCloudParams cloud_;
   LifeParams life_;
+  double settled_log_odds_;
   csht::MemorySpan memory_;
   MotionChange manoeuvre_;
   csht::BeamClaims observer_;

@@ -28,6 +28,9 @@ class TrajectoryBook {
   /// Begins a trajectory at the book's time with a new identity, at the end of `tracks`.
   void begin(std::int64_t utime, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance);
 
+  std::int64_t next_id() const { return next_id_; }     ///< The identity of the next trajectory.
+  void set_next_id(std::int64_t id) { next_id_ = id; }  ///< Identities go on from there.
+
   std::span<core::Track> tracks() { return tracks_; }
   std::span<const core::Track> tracks() const { return tracks_; }
   const TrackLife& life(std::size_t index) const { return lives_[index]; }

@@ -25,18 +25,19 @@ PingNode::PingNode(lcmtypes::Bus& bus, const TrackerNodeParams& params, Report r
     throw core::InputError("--node-id: got " + std::to_string(params.node_id) + ", expected 1 or more");
 }
 
-void PingNode::publish(const PingReport& ping) {
-  const auto elements = lcmtypes::to_wire(ping.key, params_.method, params_.window_scans, ping.elements);
+void PingNode::publish(const PingResult& ping) {
+  const lcmtypes::ScanKey key{ping.utime, ping.sequence, ping.sensor_id};
+  const auto elements = lcmtypes::to_wire(key, ping.method, ping.window_scans, ping.elements);
   bus_.publish(channels_.motion_elements(), elements.message);
   if (ping.sensor_estimate)
-    bus_.publish(channels_.sensor_estimate(), lcmtypes::to_wire(ping.key, *ping.sensor_estimate));
+    bus_.publish(channels_.sensor_estimate(), lcmtypes::to_wire(key, *ping.sensor_estimate));
   if (params_.publish_estimates) {
-    const LocalEstimateSender::Scan scan{ping.key.utime, ping.key.sequence, ping.p_earth_sonar};
+    const LocalEstimateSender::Scan scan{ping.utime, ping.sequence, ping.p_earth_sonar};
     for (const auto& estimate : sender_.select(scan, ping.tracks))
       bus_.publish(lcmtypes::Channels::kLocalEstimate, lcmtypes::to_wire(estimate));
   }
   // Last: who waits for the tracks of a ping may rely on the rest being out.
-  bus_.publish(channels_.tracks(), lcmtypes::to_wire(ping.key, ping.tracks).message);
+  bus_.publish(channels_.tracks(), lcmtypes::to_wire(key, ping.tracks).message);
   const std::chrono::duration<double, std::milli> latency = lcmtypes::NodeLoop::Clock::now() - arrival_;
   status_.add_latency(latency.count());
 }

@@ -1,45 +1,64 @@
-// VEHICLE_STATE, SONAR_SCAN -> intake -> tracker -> MOTION_ELEMENTS, TRACKS, SENSOR_ESTIMATE, LOCAL_ESTIMATE
+// VEHICLE_STATE, SONAR_SCAN (SONAR_IMAGE) -> chain -> MOTION_ELEMENTS, TRACKS, SENSOR_ESTIMATE,
+// LOCAL_ESTIMATE
 #include "tracking/node/tracker_node.hpp"
 
-namespace lookout::tracking {
+#include <utility>
 
-TrackerNode::TrackerNode(lcmtypes::Bus& bus, const TrackerNodeParams& params,
-                         TrackingChain::MakeTracker make_tracker, Report report)
+namespace lookout::tracking {
+namespace {
+
+/// How a ping comes over the wire.
+template <class Ping>
+struct WireOf;
+template <>
+struct WireOf<core::SonarScan> {
+  using Message = sonar_scan_t;
+  static std::string channel(const lcmtypes::Channels& channels) { return channels.sonar_scan(); }
+};
+template <>
+struct WireOf<core::SonarImage> {
+  using Message = sonar_image_t;
+  static std::string channel(const lcmtypes::Channels& channels) { return channels.sonar_image(); }
+};
+
+}  // namespace
+
+template <class Chain>
+ChainNode<Chain>::ChainNode(lcmtypes::Bus& bus, const TrackerNodeParams& params, const MakeChain& make_chain,
+                            Report report)
     : bus_(bus),
       node_(bus, params, std::move(report)),
-      chain_(
-          params.sensor, std::move(make_tracker), [this](const ScanResult& result) { publish(result); },
-          [this](const std::string& line) { node_.note(line); },
-          ChainParams{.lag = params.lag, .intake = {}}) {
+      chain_(make_chain([this](const PingResult& result) { node_.publish(result); },
+                        [this](const std::string& line) { node_.note(line); })) {
+  using Ping = typename Chain::Ping;
   const auto take = [this](auto data) {
     node_.note_arrival();
-    chain_.add(std::move(data));
+    chain_->add(std::move(data));
   };
   bus_.subscribe<vehicle_state_t>(node_.channels().vehicle_state(),
                                   [take](const core::VehicleState& state) { take(state); });
-  bus_.subscribe<sonar_scan_t>(node_.channels().sonar_scan(),
-                               [take](core::SonarScan scan) { take(std::move(scan)); });
+  bus_.subscribe<typename WireOf<Ping>::Message>(WireOf<Ping>::channel(node_.channels()),
+                                                 [take](Ping ping) { take(std::move(ping)); });
 }
 
-void TrackerNode::run(const lcmtypes::LoopLimits& limits) {
+template <class Chain>
+void ChainNode<Chain>::run(const lcmtypes::LoopLimits& limits) {
   lcmtypes::NodeLoop(bus_, limits, [this] { node_.publish_status(figures()); }).run();
   bus_.drain();
-  chain_.finish();
+  chain_->finish();
   node_.publish_status(figures());
 }
 
-void TrackerNode::publish(const ScanResult& result) {
-  const core::SonarScan& scan = result.scan.scan;
-  const core::Pose2& T_earth_sonar = result.scan.T_earth_sonar;
-  node_.publish({{scan.utime, scan.sequence, scan.sensor_id},
-                 {T_earth_sonar.north, T_earth_sonar.east},
-                 result.elements,
-                 result.tracks,
-                 result.sensor_estimate});
+template <class Chain>
+lcmtypes::NodeFigures ChainNode<Chain>::figures() const {
+  const IntakeCounts& counts = chain_->counts();
+  const lcmtypes::Inbox& inbox = bus_.inbox();
+  return {chain_->newest_utime(), counts.accepted,
+          counts.rejected() + counts.bad_states + inbox.bad_messages(),
+          inbox.counts(WireOf<typename Chain::Ping>::channel(node_.channels())).lost};
 }
 
-lcmtypes::NodeFigures TrackerNode::figures() const {
-  return figures_of(chain_, bus_.inbox(), node_.channels().sonar_scan());
-}
+template class ChainNode<TrackingChain>;
+template class ChainNode<ImageChain>;
 
 }  // namespace lookout::tracking

@@ -63,4 +63,34 @@ void validate(const BirthParams& p) {
   core::require(p.better_nats >= 0.0, "better_nats must be >= 0", p.better_nats);
 }
 
+namespace {
+
+void validate(const HypothesisParams& p) {
+  core::require(p.tentative_log_odds < 0.0, "tentative_log_odds must be < 0", p.tentative_log_odds);
+  core::require(p.settled_log_odds > 0.0, "settled_log_odds must be > 0", p.settled_log_odds);
+  core::require(p.max_tracks >= 1, "max_tracks must be >= 1", p.max_tracks);
+  core::require(p.ready_tracks >= 0, "ready_tracks must be >= 0", p.ready_tracks);
+}
+
+void validate(const SensorLearningParams& p) {
+  core::require(p.least_change > 0.0, "least_change must be > 0", p.least_change);
+  core::require(p.target_samples >= 1, "target_samples must be >= 1", p.target_samples);
+  core::require(p.least_existence >= 0.0 && p.least_existence <= 1.0, "least_existence must be in [0, 1]",
+                p.least_existence);
+}
+
+}  // namespace
+
+void validate(const JointEngineParams& params) {
+  validate(params.sensor);
+  validate(params.prior);
+  validate(params.cloud);
+  validate(params.observer);
+  validate(params.birth);
+  validate(params.hypotheses);
+  validate(params.learning);
+  if (params.scans_kept)
+    core::require(*params.scans_kept >= 1, "scans_kept must be >= 1", *params.scans_kept);
+}
+
 }  // namespace lookout::csht

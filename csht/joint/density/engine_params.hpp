@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "csht/joint/density/target_prior.hpp"
 #include "csht/likelihood/sensor_likelihood.hpp"
 #include "csht/likelihood/sensor_model.hpp"
@@ -51,9 +53,12 @@ struct BirthParams {
   double max_lag_s = 10.0;   ///< Between the two echoes of a pair [s], > 0.
   double first_look_s = 6.0;  ///< Stretch over which all pairs are scored before most are dropped [s], > 0.
   int first_look_keep = 192;  ///< Pairs that are scored over the whole window, >= 1.
-  int seeds = 24;             ///< Distinct pairs whose evidence is computed, >= 1.
-  int samples = 128;          ///< Trajectories drawn for the first estimate of the evidence, >= 16.
-  int rounds = 3;             ///< Rounds of adaptive importance sampling, >= 1.
+  /// Of a pair and of a refined line: a single line is scored fairly only when neighbouring beams are mixed
+  /// in proportion to nearness, and a pair has the errors of its own two detections besides.
+  Tolerance seed_tolerance{1.0, 0.5}, line_tolerance{1.0, 0.5};
+  int seeds = 24;     ///< Distinct pairs whose evidence is computed, >= 1.
+  int samples = 128;  ///< Trajectories drawn for the first estimate of the evidence, >= 16.
+  int rounds = 3;     ///< Rounds of adaptive importance sampling, >= 1.
   double hopeless =
       3.0;  ///< A seed this many nats short of a tentative track in its first round is dropped, > 0.
   double doubtful = 1.0;      ///< ... and this many short after its last round, >= 0.
@@ -66,7 +71,37 @@ struct BirthParams {
   double better_nats = 2.0;   ///< By which a seed must beat a tentative track to replace it, >= 0.
 };
 
+/// When a hypothesis is kept, and how many.
+struct HypothesisParams {
+  double tentative_log_odds = -6.0;  ///< Existence from which a hypothesis is kept. docs/joint_tracker.md.
+  double settled_log_odds = 4.0;  ///< Existence above which odds are only updated, not estimated again, > 0.
+  int max_tracks = 512;           ///< Hypotheses of any status, >= 1; more are not begun.
+  int ready_tracks = 64;          ///< Hypotheses that memory is kept for from the start, >= 0.
+};
+
+/// What sure targets teach of the sensor.
+struct SensorLearningParams {
+  double least_change = 0.01;    ///< Relative change of a sensor figure that is worth a rewrite, > 0.
+  int target_samples = 32;       ///< Trajectories that stand for a target, >= 1.
+  double least_existence = 0.5;  ///< Of a target whose beams are its own, in [0, 1].
+};
+
+/// The joint engine: the sensor's likelihood, the prior, and how densities are drawn, claimed and begun.
+struct JointEngineParams {
+  SensorModelParams sensor;
+  Tolerance tolerance;  ///< Of hypotheses and of evidence; see there.
+  TargetPriorParams prior;
+  TrajectoryCloudParams cloud;
+  BeamClaimParams observer;
+  BirthParams birth;
+  HypothesisParams hypotheses;
+  SensorLearningParams learning;
+  /// Scans kept, >= 1; absent: as many as `cloud.memory_s` and `birth.window_s` ask for.
+  std::optional<int> scans_kept;
+};
+
 /// @throws std::invalid_argument showing the value that is out of range.
+void validate(const JointEngineParams& params);
 void validate(const TrajectoryCloudParams& params);
 void validate(const BeamClaimParams& params);
 void validate(const BirthParams& params);

@@ -23,7 +23,7 @@ double area_of(const ScanTable& scan) {
 
 void validate(const TargetPriorParams& p) {
   core::require(p.expected_targets > 0.0, "expected_targets must be > 0", p.expected_targets);
-  core::require(p.interior_rate > 0.0, "interior_rate must be > 0", p.interior_rate);
+  core::require(p.interior_rate >= 0.0, "interior_rate must be >= 0", p.interior_rate);
   core::require(p.settling_s >= 0.0, "settling_s must be >= 0", p.settling_s);
   core::require(p.settling_rate >= 0.0, "settling_rate must be >= 0", p.settling_rate);
   core::require(p.speed_sigmas > 0.0, "speed_sigmas must be > 0", p.speed_sigmas);
@@ -39,7 +39,14 @@ TargetPrior::TargetPrior(const TargetPriorParams& params, double max_speed, doub
       log_settling_(std::log(settling_ / params.expected_targets)),
       log_settled_(std::log(settled_ / params.expected_targets)) {}
 
+void TargetPrior::set_expected_targets(double expected) {
+  params_.expected_targets = expected;
+  log_settling_ = std::log(settling_ / expected);
+  log_settled_ = std::log(settled_ / expected);
+}
+
 double TargetPrior::log_speed(double speed) const {
+  if (params_.uniform_speeds) return log_edge(speed);
   const double square = speed / velocity_sigma_;
   return -0.5 * square * square + log_edge(speed);
 }
@@ -50,8 +57,10 @@ double TargetPrior::log_edge(double speed) const {
 }
 
 double TargetPrior::log_standing(const ScanTable& scan) const {
-  const double volume = area_of(scan) * 2.0 * std::numbers::pi * velocity_sigma_ * velocity_sigma_;
-  return std::log(params_.expected_targets / volume);
+  const double velocities = params_.uniform_speeds
+                                ? std::numbers::pi * max_speed_ * max_speed_
+                                : 2.0 * std::numbers::pi * velocity_sigma_ * velocity_sigma_;
+  return std::log(params_.expected_targets / (area_of(scan) * velocities));
 }
 
 double TargetPrior::appearing(double seconds_since_first) const {

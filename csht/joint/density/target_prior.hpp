@@ -7,12 +7,16 @@ namespace lookout::csht {
 /// What is believed of targets before anything is seen of them.
 struct TargetPriorParams {
   double expected_targets = 2.0;  ///< In the field of view at any time, > 0.
-  double interior_rate = 0.002;   ///< Targets that appear inside the field of view [1/s], > 0.
+  double interior_rate = 0.002;   ///< Targets that appear inside the field of view [1/s], >= 0.
   /// A sonar that starts may not show at once all that is there: during the first seconds [s], >= 0, so many
   /// more come into sight [1/s], >= 0. docs/tracker.md.
   double settling_s = 2.0, settling_rate = 2.0;
   double speed_sigmas = 3.0;  ///< The speed limit in standard deviations of a velocity component, > 0.
   double speed_edge = 0.2;    ///< Beyond the limit densities fall off with this sigma [m/s], > 0.
+  /// Velocities evenly spread over the disc of possible ones in place of normal components.
+  bool uniform_speeds = false;
+  /// All targets are in view from the oldest scan on: a single window's experiment, [Yan2018] Table 2.
+  bool in_view_from_start = false;
 };
 
 /// @throws std::invalid_argument showing the value that is out of range.
@@ -47,6 +51,9 @@ class TargetPrior {
   double entering(const ScanTable& scan, double seconds) const;
 
   double expected_targets() const { return params_.expected_targets; }
+  /// Replaces the expected number of targets, > 0, as it is learnt.
+  void set_expected_targets(double expected);
+  bool in_view_from_start() const { return params_.in_view_from_start; }
 
  private:
   TargetPriorParams params_;

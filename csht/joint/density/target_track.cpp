@@ -39,6 +39,11 @@ double TargetTrack::existence() const {
   return probability(log_odds);
 }
 
+void TargetTrack::advance(double seconds) {
+  cloud.predict(seconds);
+  moments = cloud.moments();
+}
+
 void TargetTrack::begin(const Beginning& beginning) {
   used = true;
   moments = cloud.moments();

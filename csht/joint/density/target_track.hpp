@@ -38,6 +38,7 @@ struct TargetTrack {
   RecentEvidence recent;
   double visible_share = 1.0;   ///< Probability that it is in the field of view, if it exists.
   double echo_share = 0.0;      ///< Probability that the newest scan holds an echo of it, if it exists.
+  double own_detections = 0.0;  ///< Expected number of detections that are its own, when last it claimed.
   std::int64_t first_scan = 0;  ///< Number of the scan since which its likelihood counts.
   bool remembers_birth = true;  ///< That scan is its first; not so after a manoeuvre.
   std::int64_t first_utime = 0;
@@ -52,6 +53,7 @@ struct TargetTrack {
   std::vector<double> log_ratio;  ///< Of the newest scan, trajectory by trajectory.
 
   double existence() const;
+  void advance(double seconds);  ///< Moves its trajectories on.
 
   /// How a track begins, but for its identity and its cloud.
   struct Beginning {

@@ -40,9 +40,11 @@ void BeamClaims::claim_memory(int slot, TargetTrack& track, const AgeSpan& memor
 }
 
 void BeamClaims::claim_past(int slot, TargetTrack& track, int oldest, ScanLikelihood& likelihood) {
+  track.own_detections = track.echo_share;
   for (int age = 1; age <= oldest; ++age) {
     if (track.has_claims) likelihood.forget_claims(slot, age);
-    look(slot, track.cloud, age, true, static_cast<std::size_t>(params_.past_stride), likelihood);
+    const auto stride = static_cast<std::size_t>(params_.past_stride);
+    track.own_detections += look(slot, track.cloud, age, true, stride, likelihood).echo;
   }
   track.has_claims = true;
 }

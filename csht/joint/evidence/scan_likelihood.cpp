@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kCompatibleSigmas = 2.5;     // An echo this near to a track's range is explained by it.
 constexpr double kLeastUnseen = 1e-9;         // None, for a logarithm.
+constexpr double kImpossible = -1e6;          // Log-likelihood ratio of what the prior rules out [nats].
 constexpr std::size_t kClaimsReserved = 512;  // Of one scan; more are taken, at the price of an allocation.
 
 }  // namespace
@@ -139,9 +140,10 @@ void ScanLikelihood::begin(const HypothesisSpan& hypotheses, double seconds, int
   const auto half_sector = static_cast<float>(0.5 * scan.num_beams * scan.bearing_step);
   const auto max_range = static_cast<float>(scan.max_range);
   const double log_unseen = log_unseen_[ring_index(oldest)];
+  const double log_outside = prior_.in_view_from_start() ? kImpossible : 0.0;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     const bool in_view = range_[i] <= max_range && std::abs(bearing_[i]) <= half_sector;
-    log_ratio[i] = in_view ? log_unseen : 0.0;
+    log_ratio[i] = in_view ? log_unseen : log_outside;
   }
 }
 

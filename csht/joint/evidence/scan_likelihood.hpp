@@ -48,6 +48,7 @@ class ScanLikelihood {
   double log_birth(int age) const {
     return prior_.log_birth(core::seconds(scans_.at_age(age).utime - first_utime_));
   }
+  void set_prior(const TargetPrior& prior) { prior_ = prior; }
   void set_figures(const SensorFigures& figures) { scans_.set_figures(figures); }
   void set_heading_error(int age, const HeadingError& error) { scans_.set_heading_error(age, error); }
 

@@ -81,7 +81,7 @@ TEST(JointEstimator, ForgetsATargetThatHasLeft) {
 TEST(JointEstimator, AnEmptySeaBecomesHardToConvince) {
   JointEstimator estimator({}, known_sonar(), 1);
   EXPECT_TRUE(estimate(estimator, testing::noisy_scans({}, 200, 9, 1014)).empty());
-  EXPECT_NEAR(estimator.search().prior().params().targets_per_view, 0.40, 0.06);
+  EXPECT_NEAR(estimator.scene().prior.expected_targets(), 0.40, 0.06);
 }
 
 TEST(JointEstimator, RefusesNonsense) {

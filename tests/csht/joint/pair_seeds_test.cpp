@@ -20,8 +20,8 @@ ScanLikelihood moving_target(int scans) {
 
 TEST(PairSeeds, OneTargetIsOneGoodSeed) {
   ScanLikelihood likelihood = moving_target(20);
-  PairSeeds birth({}, TargetPrior());
-  const auto seeds = birth.propose(likelihood);
+  PairSeeds birth({});
+  const auto seeds = birth.propose(likelihood, TargetPrior());
   ASSERT_FALSE(seeds.empty());
   EXPECT_NEAR(seeds[0].guess.mean[0], 69.5, 1.0);
   EXPECT_NEAR(seeds[0].guess.mean[1], 10.0, 1.0);
@@ -39,14 +39,14 @@ TEST(PairSeeds, WhatATrackClaimsIsNoSeed) {
     const double range = scan.detections[0].range;
     likelihood.add_claim(age, {0, scan.detections[0].beam, static_cast<float>(range), 1.0F});
   }
-  PairSeeds birth({}, TargetPrior());
-  EXPECT_TRUE(birth.propose(likelihood).empty());
+  PairSeeds birth({});
+  EXPECT_TRUE(birth.propose(likelihood, TargetPrior()).empty());
 }
 
 TEST(PairSeeds, OneScanHasNoPairs) {
   ScanLikelihood likelihood = moving_target(1);
-  PairSeeds birth({}, TargetPrior());
-  EXPECT_TRUE(birth.propose(likelihood).empty());
+  PairSeeds birth({});
+  EXPECT_TRUE(birth.propose(likelihood, TargetPrior()).empty());
 }
 
 // Three exact echoes of a line fix it: position at time 0 is 10, velocity 2.

@@ -4,9 +4,7 @@
 
 #include <algorithm>
 
-#include "core/input_error.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
-#include "tracking/latency.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -18,33 +16,16 @@ Configuration plain(const std::string& tracker) {
   return configuration;
 }
 
-TEST(TrackerMaker, SetsTheEstimatorBesideATrackerThatHasNone) {
+TEST(ChainParams, TakeTheEstimatorThatTheConfigurationNames) {
   const auto scans = simulate(
       load_variant("tracking_table7.yaml", {0.1, 0.1, 1.0, sonar_sim::ClutterReading::light}), 1000, 0);
   for (const char* name : {"gnn", "csht"}) {
-    const auto tracker = tracker_maker(plain(name), 1)({});
+    const auto pipeline = tracking::make_pipeline(chain_params(plain(name), 1), {});
     std::size_t elements = 0;
-    for (std::size_t k = 0; k < 60; ++k) {  // 30 s, by when four targets are in view
-      tracker->update(scans[k].posed);
-      elements = std::max(elements, tracker->elements().size());
-    }
+    for (std::size_t k = 0; k < 60; ++k)  // 30 s, by when four targets are in view
+      elements = std::max(elements, pipeline->step(scans[k].posed).elements.size());
     EXPECT_GE(elements, 2u) << name;
   }
-}
-
-TEST(TrackerMaker, RefusesADelayThatTheTrackerCannotGive) {
-  Configuration configuration = plain("gnn");
-  configuration.lag = 5'000'000;
-  EXPECT_THROW(tracker_maker(configuration, 1)({}), core::InputError);
-  configuration.tracker.name = "joint";
-  EXPECT_TRUE(tracker_maker(configuration, 1)({})->can_retrodict());
-}
-
-TEST(TrackerMaker, MakesUpForTheLatencyOfTheSensor) {
-  core::SonarParams late;
-  late.latency = 1.0;
-  EXPECT_NE(dynamic_cast<tracking::LateScanTracker*>(tracker_maker(plain("gnn"), 1)(late).get()), nullptr);
-  EXPECT_EQ(dynamic_cast<tracking::LateScanTracker*>(tracker_maker(plain("gnn"), 1)({}).get()), nullptr);
 }
 
 core::VehicleState still(std::int64_t utime) {

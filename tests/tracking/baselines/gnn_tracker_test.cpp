@@ -12,9 +12,10 @@ namespace {
 TEST(GnnTracker, ConfirmsOnTheMthEchoAndFollows) {
   GnnTracker tracker({}, {});
   for (int k = 0; k < 5; ++k)
-    ASSERT_EQ(tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}))[0].status, core::TrackStatus::tentative);
+    ASSERT_EQ(tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}), {})[0].status,
+              core::TrackStatus::tentative);
   std::span<const core::Track> tracks;
-  for (int k = 5; k < 40; ++k) tracks = tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}));
+  for (int k = 5; k < 40; ++k) tracks = tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}), {});
   ASSERT_EQ(tracks.size(), 1U);
   EXPECT_EQ(tracks[0].id, 1);
   EXPECT_NEAR(tracks[0].state(0), 50.0 + 0.5 * 39, 0.1);
@@ -23,16 +24,17 @@ TEST(GnnTracker, ConfirmsOnTheMthEchoAndFollows) {
 
 TEST(GnnTracker, OneEchoMakesNoConfirmedTrack) {
   GnnTracker tracker({}, {});
-  tracker.update(scan_of(0, {{50.0, 0.0}}));
+  tracker.update(scan_of(0, {{50.0, 0.0}}), {});
   std::span<const core::Track> tracks;
-  for (int k = 1; k < 9; ++k) tracks = tracker.update(scan_of(k, {}));
+  for (int k = 1; k < 9; ++k) tracks = tracker.update(scan_of(k, {}), {});
   EXPECT_TRUE(tracks.empty());
 }
 
 TEST(GnnTracker, TwoTargetsKeepTheirIdentities) {
   GnnTracker tracker({}, {});
   std::span<const core::Track> tracks;
-  for (int k = 0; k < 30; ++k) tracks = tracker.update(scan_of(k, {{60.0, -20.0 + 0.5 * k}, {90.0, 20.0}}));
+  for (int k = 0; k < 30; ++k)
+    tracks = tracker.update(scan_of(k, {{60.0, -20.0 + 0.5 * k}, {90.0, 20.0}}), {});
   ASSERT_EQ(tracks.size(), 2U);
   EXPECT_NEAR(tracks[0].state(1), -5.5, 0.5);
   EXPECT_NEAR(tracks[1].state(1), 20.0, 0.5);

@@ -45,10 +45,10 @@ TEST(Deletion, NeighboursOnOtherCoursesAreNoTwins) {
 }
 
 TEST(Deletion, TooLittleEvidenceEndsATrackLaterOnceItWasConfirmed) {
-  const LifeParams params;
+  const JointTrackerParams params;
   TrackerState state = empty_sea();
-  csht::TargetTrack& tentative = add_track(state, kLine, params.end_log_odds - 1.0);
-  csht::TargetTrack& confirmed = add_track(state, {90.0, 9.0, 0.0, 0.0}, params.end_log_odds - 1.0);
+  csht::TargetTrack& tentative = add_track(state, kLine, params.life.end_log_odds - 1.0);
+  csht::TargetTrack& confirmed = add_track(state, {90.0, 9.0, 0.0, 0.0}, params.life.end_log_odds - 1.0);
   confirmed.confirmed_once = true;
   Deletion(params).end_lives(state);
   EXPECT_TRUE(tentative.used);
@@ -56,9 +56,9 @@ TEST(Deletion, TooLittleEvidenceEndsATrackLaterOnceItWasConfirmed) {
 }
 
 TEST(Deletion, OutOfViewAConfirmedTrackCoastsAndIsKeptInCaseItReturns) {
-  LifeParams params;  // Scans every half second.
-  params.coast_s = 10.0;
-  params.return_s = 15.0;
+  JointTrackerParams params;  // Scans every half second.
+  params.life.coast_s = 10.0;
+  params.life.return_s = 15.0;
   TrackerState state = empty_sea();
   csht::TargetTrack& track = add_track(state, kLine, 5.0);
   track.confirmed_once = true;

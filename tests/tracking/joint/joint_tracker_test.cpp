@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/random.hpp"
+#include "tests/support/joint_pipeline.hpp"
 #include "tests/support/sonar_scene.hpp"
 
 namespace lookout::tracking {
@@ -27,9 +28,9 @@ std::vector<core::Track> confirmed(std::span<const core::Track> tracks) {
 }
 
 TEST(JointTracker, FollowsOneTargetAndCallsItOneTarget) {
-  JointTracker tracker({}, known_sonar(0.1, 0.1), 1);
+  ScanPipeline tracker = joint_pipeline(known_sonar(0.1, 0.1), 1);
   std::span<const core::Track> tracks;
-  for (int k = 0; k < 60; ++k) tracks = tracker.update(scan_of(k, {{60.0 + 0.5 * k, 10.0}}));
+  for (int k = 0; k < 60; ++k) tracks = tracker.step(scan_of(k, {{60.0 + 0.5 * k, 10.0}})).tracks;
   ASSERT_EQ(confirmed(tracks).size(), 1U);
   const core::Track track = confirmed(tracks)[0];
   EXPECT_NEAR(track.state(0), 60.0 + 0.5 * 59, 1.5);
@@ -39,10 +40,11 @@ TEST(JointTracker, FollowsOneTargetAndCallsItOneTarget) {
 }
 
 TEST(JointTracker, ConfirmsWithinThreeSecondsInLightClutter) {
-  JointTracker tracker({}, known_sonar(0.1, 0.1), 1);
+  ScanPipeline tracker = joint_pipeline(known_sonar(0.1, 0.1), 1);
   int first = 100;
   for (int k = 0; k < 20; ++k)
-    if (!confirmed(tracker.update(scan_of(k, {{60.0 + 0.5 * k, 10.0}}))).empty()) first = std::min(first, k);
+    if (!confirmed(tracker.step(scan_of(k, {{60.0 + 0.5 * k, 10.0}})).tracks).empty())
+      first = std::min(first, k);
   EXPECT_LE(first, 6);
 }
 
@@ -51,13 +53,13 @@ TEST(JointTracker, ConfirmsWithinThreeSecondsInLightClutter) {
 int followed_with_bad_headings(double heading_sigma) {
   core::SonarParams sonar = known_sonar(0.1, 0.1);
   sonar.heading_sigma = heading_sigma;
-  JointTracker tracker({}, sonar, 1);
+  ScanPipeline tracker = joint_pipeline(sonar, 1);
   core::Random random(1000);
   int followed = 0;
   for (int k = 0; k < 60; ++k) {
     core::PosedScan scan = scan_of(k, {{60.0 + 0.5 * k, 10.0}});
     scan.T_earth_sonar.heading = random.gaussian(core::radians(1.0));
-    const auto tracks = confirmed(tracker.update(scan));
+    const auto tracks = confirmed(tracker.step(scan).tracks);
     const Eigen::Vector2d truth(60.0 + 0.5 * k, 10.0);
     if (tracks.size() == 1 && (tracks[0].position() - truth).norm() < 3.0) ++followed;
   }
@@ -71,21 +73,33 @@ TEST(JointTracker, FollowsThroughNoisyHeadingsThatItIsToldOf) {
 }
 
 TEST(JointTracker, AnEmptySeaHasNoTracks) {
-  JointTracker tracker({}, known_sonar(0.1, 0.1), 1);
+  ScanPipeline tracker = joint_pipeline(known_sonar(0.1, 0.1), 1);
   std::span<const core::Track> tracks;
-  for (int k = 0; k < 40; ++k) tracks = tracker.update(scan_of(k, {}));
+  for (int k = 0; k < 40; ++k) tracks = tracker.step(scan_of(k, {})).tracks;
   EXPECT_TRUE(tracks.empty());
 }
 
 TEST(JointTracker, SameSeedSameTracks) {
-  JointTracker first({}, known_sonar(0.1, 0.1), 5), second({}, known_sonar(0.1, 0.1), 5);
+  ScanPipeline first = joint_pipeline(known_sonar(0.1, 0.1), 5),
+               second = joint_pipeline(known_sonar(0.1, 0.1), 5);
   for (int k = 0; k < 20; ++k) {
     const auto scan = scan_of(k, {{60.0 + 0.5 * k, 10.0}, {90.0, -30.0}});
-    const auto a = first.update(scan);
-    const auto b = second.update(scan);
+    const auto a = first.step(scan).tracks;
+    const auto b = second.step(scan).tracks;
     ASSERT_EQ(a.size(), b.size());
     for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].state, b[i].state);
   }
+}
+
+// Four targets appear in view in the 20th scan and never miss an echo. Were they held against the scans
+// before, each would have missed ten.
+TEST(JointTracker, TargetsThatAppearInViewAreNoMissesOfTheScansBefore) {
+  const std::vector<Eigen::Vector2d> four{{60, 20}, {90, -40}, {40, 0}, {110, 30}};
+  ScanPipeline tracker = joint_pipeline({});
+  PingResult result;
+  for (int k = 0; k < 40; ++k)
+    result = tracker.step(scan_of(k, k < 20 ? std::vector<Eigen::Vector2d>{} : four));
+  EXPECT_LT(result.sensor_estimate->miss_probability, 0.2);
 }
 
 TEST(JointTracker, RefusesBadParams) {

@@ -1,11 +1,13 @@
+#include "tracking/joint/motion_change.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <vector>
 
 #include "core/frames.hpp"
+#include "tests/support/joint_pipeline.hpp"
 #include "tests/support/sonar_scene.hpp"
-#include "tracking/joint/joint_tracker.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -26,7 +28,7 @@ struct Outcome {
 
 // A target at 60 m that moves at 2 m/s and, from scan 20 on, turns at `turn` [rad/s].
 Outcome follow(double turn) {
-  JointTracker tracker({}, known_sonar(), 1);
+  ScanPipeline tracker = joint_pipeline(known_sonar(), 1);
   Outcome outcome;
   tracker.explain_to([&outcome](const TrackDecision& decision) {
     outcome.manoeuvres += decision.kind == DecisionKind::manoeuvre ? 1 : 0;
@@ -35,7 +37,7 @@ Outcome follow(double turn) {
   double course = core::radians(90.0);
   for (int k = 0; k < 80; ++k) {
     outcome.ids.clear();
-    for (const core::Track& track : tracker.update(scan_of(k, {position}))) {
+    for (const core::Track& track : tracker.step(scan_of(k, {position})).tracks) {
       if (track.status != core::TrackStatus::confirmed) continue;
       outcome.ids.push_back(track.id);
       const double error = (track.position() - position).norm();
@@ -80,7 +82,7 @@ std::vector<Eigen::Vector2d> clutter(const core::SonarParams& sonar, double bear
 int scans_lost(std::uint64_t seed) {
   core::SonarParams sonar;
   sonar.miss_probability = sonar.false_alarm_probability = 0.3;
-  JointTracker tracker({}, sonar, seed);
+  ScanPipeline tracker = joint_pipeline(sonar, seed);
   core::Random random(seed, core::RandomStream::simulator);
   int found = 0, lost = 0;
   for (int k = 0; k < 60; ++k) {
@@ -89,7 +91,7 @@ int scans_lost(std::uint64_t seed) {
     std::vector<Eigen::Vector2d> echoes = clutter(sonar, std::atan2(position.y(), position.x()), random);
     if (k >= 20 && !random.bernoulli(0.3))
       echoes.push_back(position * (1.0 + random.gaussian(sonar.range_sigma) / position.norm()));
-    const auto tracks = tracker.update(scan_of(k, echoes));
+    const auto tracks = tracker.step(scan_of(k, echoes)).tracks;
     const bool confirmed = std::any_of(tracks.begin(), tracks.end(), [&](const core::Track& track) {
       return track.status == core::TrackStatus::confirmed && (track.position() - position).norm() < 10.0;
     });
@@ -109,7 +111,7 @@ TEST(MotionChange, ATargetThatAcceleratesFromTheFirstOnIsNotLost) {
 // The sector's edge cuts the circle of turn_6deg's first target: for 13 s, longer than the coast, it is
 // unseen.
 TEST(MotionChange, ATargetThatTurnsBackIntoViewIsKnownAgain) {
-  JointTracker tracker({}, known_sonar(), 1);
+  ScanPipeline tracker = joint_pipeline(known_sonar(), 1);
   const double rate = core::radians(6.0), radius = 1.5 / rate;
   std::vector<std::int64_t> before, after;
   for (int k = 0; k < 110; ++k) {
@@ -119,7 +121,7 @@ TEST(MotionChange, ATargetThatTurnsBackIntoViewIsKnownAgain) {
     const bool seen = std::abs(std::atan2(position.y(), position.x())) < core::radians(45.0);
     std::vector<std::int64_t>& ids = k < 80 ? before : after;
     for (const core::Track& track :
-         tracker.update(scan_of(k, seen ? std::vector{position} : std::vector<Eigen::Vector2d>{})))
+         tracker.step(scan_of(k, seen ? std::vector{position} : std::vector<Eigen::Vector2d>{})).tracks)
       if (track.status == core::TrackStatus::confirmed) ids.push_back(track.id);
   }
   ASSERT_FALSE(before.empty());

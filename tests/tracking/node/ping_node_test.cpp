@@ -23,7 +23,10 @@ TEST(PingNode, TracksComeLastAndEstimatesWithinTheLinksRate) {
     tracks[i].id = static_cast<std::int64_t>(i) + 1;
     tracks[i].status = core::TrackStatus::confirmed;
   }
-  output.publish({{500'000, 1, 9}, {0.0, 0.0}, {}, tracks, core::SensorEstimate{}});
+  PingResult result{.utime = 500'000, .sequence = 1, .sensor_id = 9};
+  result.tracks = tracks;
+  result.sensor_estimate = core::SensorEstimate{};
+  output.publish(result);
   bus.drain();
   // Three confirmed tracks; the link has saved up one message.
   EXPECT_EQ(heard, (std::vector<std::string>{"elements", "sensor", "estimate", "tracks"}));

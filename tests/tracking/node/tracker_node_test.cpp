@@ -11,25 +11,48 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
 
-/// One confirmed and one tentative track at every scan, one motion element, and the sensor's figures.
+/// One confirmed and one tentative track at every scan, and the sensor's figures.
 class StubTracker final : public Tracker {
  public:
-  std::span<const core::Track> update(const core::PosedScan&) override { return tracks_; }
-  std::span<const core::MotionElement> elements() const override { return elements_; }
+  StubTracker() {
+    tracks_[0].id = 11;
+    tracks_[0].status = core::TrackStatus::confirmed;
+  }
+  std::span<const core::Track> update(const core::PosedScan&, std::span<const core::MotionElement>) override {
+    return tracks_;
+  }
   std::optional<core::SensorEstimate> sensor_estimate() const override {
     core::SensorEstimate estimate;
     estimate.range_sigma = 3.0;
     return estimate;
   }
-  StubTracker() {
-    tracks_[0].id = 11;
-    tracks_[0].status = core::TrackStatus::confirmed;
-  }
+  std::int64_t next_id() const override { return 12; }
+  void set_next_id(std::int64_t /*id*/) override {}
 
  private:
   std::vector<core::Track> tracks_{2};
+};
+
+/// One motion element at every scan.
+class StubEstimator final : public csht::MotionEstimator {
+ public:
+  std::span<const core::MotionElement> update(const core::PosedScan&) override { return elements_; }
+  core::EstimatorMethod method() const override { return core::EstimatorMethod::ransac; }
+  int window_scans() const override { return 13; }
+
+ private:
   std::vector<core::MotionElement> elements_{1};
 };
+
+std::unique_ptr<TrackingChain> stub_chain(TrackingChain::OnResult on_result, TrackingChain::Report report) {
+  return std::make_unique<TrackingChain>(
+      ChainParams(),
+      [](const core::SonarParams&) {
+        return std::make_unique<ScanPipeline>(std::make_unique<StubEstimator>(),
+                                              std::make_unique<StubTracker>());
+      },
+      std::move(on_result), std::move(report));
+}
 
 class TrackerNodeTest : public ::testing::Test {
  protected:
@@ -37,7 +60,6 @@ class TrackerNodeTest : public ::testing::Test {
     TrackerNodeParams params;
     params.channel_prefix = "AUV1_";
     params.node_id = 3;
-    params.method = core::EstimatorMethod::joint;
     params.publish_estimates = true;
     return params;
   }
@@ -79,8 +101,7 @@ class TrackerNodeTest : public ::testing::Test {
   std::vector<core::LocalEstimate> estimates_;
   int sensor_estimates_ = 0;
   std::optional<node_status_t> status_;
-  TrackerNode node_{bus_, params(), [](const core::SonarParams&) { return std::make_unique<StubTracker>(); },
-                    [](const std::string&) {}};
+  TrackerNode node_{bus_, params(), &stub_chain, [](const std::string&) {}};
 };
 
 TEST_F(TrackerNodeTest, PublishesEachResultOnceForEachAcceptedScan) {
@@ -97,7 +118,8 @@ TEST_F(TrackerNodeTest, PublishesEachResultOnceForEachAcceptedScan) {
   EXPECT_EQ(tracks_[3].key.source_id, 9);
   EXPECT_EQ(tracks_[3].tracks.size(), 2u);
   EXPECT_EQ(elements_[3].key.sequence, 3);
-  EXPECT_EQ(elements_[3].method, core::EstimatorMethod::joint);
+  EXPECT_EQ(elements_[3].method, core::EstimatorMethod::ransac);
+  EXPECT_EQ(elements_[3].window_scans, 13);
 }
 
 TEST_F(TrackerNodeTest, PublishesConfirmedTracksAsLocalEstimates) {
@@ -136,8 +158,7 @@ TEST(TrackerNode, RefusesTheNodeIdOfProgramsThatTrackNothing) {
   lcmtypes::Bus bus("memq://");
   TrackerNodeParams params;
   params.node_id = 0;
-  const auto make = [](const core::SonarParams&) { return std::make_unique<StubTracker>(); };
-  EXPECT_THROW(TrackerNode(bus, params, make, [](const std::string&) {}), core::InputError);
+  EXPECT_THROW(TrackerNode(bus, params, &stub_chain, [](const std::string&) {}), core::InputError);
 }
 
 }  // namespace

@@ -34,11 +34,11 @@ class Vehicle {
     const double time = core::seconds(scans_[k].posed.scan.utime);
     const bool dead = outage_.node_id == node_id_ && time >= outage_.begin && time < outage_.end;
     if (dead) {
-      tracker_.reset();
+      pipeline_.reset();
       return {};
     }
-    if (!tracker_) tracker_ = tracking::make_tracker(tracker_name_, {}, sonar_, {}, seed_);
-    const auto tracks = tracker_->update(scans_[k].posed);
+    if (!pipeline_) pipeline_ = pipeline_of(tracker_name_, sonar_, seed_);
+    const auto tracks = pipeline_->step(scans_[k].posed).tracks;
     return {tracks.begin(), tracks.end()};
   }
 
@@ -68,7 +68,7 @@ class Vehicle {
   std::uint64_t seed_;
   std::int32_t node_id_;
   Outage outage_;
-  std::unique_ptr<tracking::Tracker> tracker_;
+  std::unique_ptr<tracking::ScanPipeline> pipeline_;
   tracking::LocalEstimateSender sender_;
 };
 

@@ -48,11 +48,13 @@ class SonarBirths : public Experiment {
                                clutter_reading(cell.parameters.text("clutter"))};
     const sonar_sim::Scene scene = load_variant(kScene, variant);
     const auto scans = simulate(scene, seed, run);
-    tracking::TrackerParams params;
-    params.initiator = cell.method;
+    tracking::ChainParams params;
+    params.tracker.name = kTracker;
+    params.tracker.initiator = cell.method;
+    params.seed = run_seed(seed, run);
     const core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
-    const auto tracker = tracking::make_tracker(kTracker, params, sonar, {}, run_seed(seed, run));
-    return score(scans, track(*tracker, scans));
+    const auto pipeline = tracking::make_pipeline(params, sonar);
+    return score(scans, track(*pipeline, scans));
   }
 };
 

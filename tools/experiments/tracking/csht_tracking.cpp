@@ -97,17 +97,18 @@ sonar_sim::Scene scene_of(const Cell& cell) {
                        cell.parameters.number("sigma"), clutter_reading(cell.parameters.text("clutter"))});
 }
 
-std::unique_ptr<tracking::Tracker> tracker_of(const Cell& cell, const sonar_sim::Scene& scene,
-                                              std::uint64_t seed) {
-  csht::EstimatorParams estimator;
-  estimator.name = "csht";
-  estimator.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
+std::unique_ptr<tracking::ScanPipeline> pipeline_of(const Cell& cell, const sonar_sim::Scene& scene,
+                                                    std::uint64_t seed) {
+  tracking::ChainParams params;
+  params.tracker.name = cell.method;
+  params.seed = seed;
+  params.estimator.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
   core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
   if (cell.parameters.text("sensor_figures") == "unknown") {
     sonar.false_alarm_probability.reset();
     sonar.miss_probability.reset();
   }
-  return tracking::make_tracker(cell.method, {}, sonar, estimator, seed);
+  return tracking::make_pipeline(params, sonar);
 }
 
 /// Mean OSPA of the tracker that is told which echo is whose.
@@ -142,8 +143,8 @@ class CshtTracking : public Experiment {
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
     const sonar_sim::Scene scene = scene_of(cell);
     const auto scans = simulate(scene, seed, run);
-    const auto tracker = tracker_of(cell, scene, run_seed(seed, run));
-    Metrics metrics = score(scans, track(*tracker, scans, cell.parameters.number("lag_s")));
+    const auto pipeline = pipeline_of(cell, scene, run_seed(seed, run));
+    Metrics metrics = score(scans, track(*pipeline, scans, cell.parameters.number("lag_s")));
     metrics["bound"] = bound(scans, scene.platforms[0].sonar.params);
     return metrics;
   }
@@ -165,8 +166,8 @@ class CshtTracking : public Experiment {
 
   static void write_run(const Cell& cell, const std::vector<TimedScan>& scans, std::uint64_t seed,
                         const std::string& directory) {
-    const auto tracker = tracker_of(cell, scene_of(cell), run_seed(seed, 0));
-    const auto output = track(*tracker, scans);
+    const auto pipeline = pipeline_of(cell, scene_of(cell), run_seed(seed, 0));
+    const auto output = track(*pipeline, scans);
     std::vector<core::TrackList> lists;
     tracking::Scorer scorer;
     core::CsvWriter csv(directory + "/ospa_" + cell.method + ".csv",

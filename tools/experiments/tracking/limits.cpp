@@ -36,9 +36,10 @@ SceneVariant variant_of(const Parameters& p) {
           sonar_sim::ClutterReading::literal};
 }
 
-double sum_of_odds(std::span<const csht::TargetHypothesis> hypotheses) {
+double sum_of_odds(const csht::JointScene& scene) {
   double sum = 0.0;
-  for (const auto& hypothesis : hypotheses) sum += std::exp(hypothesis.log_odds);
+  for (const auto& track : scene.tracks)
+    if (track.used) sum += std::exp(track.log_odds);
   return sum;
 }
 
@@ -54,7 +55,7 @@ Window estimate(const sonar_sim::Scene& scene, const SceneVariant& variant, int 
     const auto elements = estimator.update(timed.posed);
     window.elements.assign(elements.begin(), elements.end());
   }
-  window.odds = sum_of_odds(estimator.search().targets()) + sum_of_odds(estimator.search().candidates());
+  window.odds = sum_of_odds(estimator.scene());
   return window;
 }
 
@@ -146,7 +147,7 @@ Metrics clutter_metrics(const SceneVariant& variant, std::uint64_t seed, int run
   scene.targets.clear();
   const Window window = estimate(scene, variant, 20, seed, run);
   Metrics metrics;
-  metrics["evidence"] = window.odds / csht::TrajectoryPriorParams{}.targets_per_view;
+  metrics["evidence"] = window.odds / csht::TargetPriorParams{}.expected_targets;
   metrics["count_correct"] = window.elements.empty() ? 1.0 : 0.0;
   return metrics;
 }

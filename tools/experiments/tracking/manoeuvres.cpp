@@ -70,8 +70,8 @@ Metrics track_scene(const std::string& name, const Cell& cell, std::uint64_t see
   const sonar_sim::Scene scene = load_variant(name + ".yaml", variant);
   const auto scans = simulate_through_intake(scene, seed, run);
   const core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
-  const auto tracker = tracking::make_tracker(cell.method, {}, sonar, {}, run_seed(seed, run));
-  Metrics metrics = score(scans, track(*tracker, scans));
+  const auto pipeline = pipeline_of(cell.method, sonar, run_seed(seed, run));
+  Metrics metrics = score(scans, track(*pipeline, scans));
   const double period = scene.platforms[0].sonar.params.scan_period;
   metrics["posed_share"] = static_cast<double>(scans.size()) / std::round(scene.duration / period);
   return metrics;

@@ -11,7 +11,6 @@
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/experiments/tracking/tracking_run.hpp"
-#include "tracking/latency.hpp"
 #include "tracking/metrics/track_quality.hpp"
 #include "tracking/tracker_registry.hpp"
 
@@ -127,11 +126,8 @@ class Recordings : public Experiment {
         core::read_recording(data_directory() + "/scenario" + std::to_string(scenario.number), radar());
     auto scans = timed_scans(recording);
     const auto sonar = recording.params.value_or(radar());
-    csht::EstimatorParams estimator;
-    estimator.name = "csht";
-    const auto tracker = tracking::make_up_for_latency(
-        tracking::make_tracker(cell.method, {}, sonar, estimator, run_seed(seed, run)), sonar);
-    const TrackingOutput output = track(*tracker, scans);
+    const auto pipeline = pipeline_of(cell.method, sonar, run_seed(seed, run));
+    const TrackingOutput output = track(*pipeline, scans);
     mark_in_sight(scans);
     tracking::TrackQuality quality({.gate = scenario.gate});
     for (std::size_t k = 0; k < scans.size(); ++k) quality.add(scans[k].truth, output.tracks[k]);

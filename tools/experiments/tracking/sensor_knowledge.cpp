@@ -27,7 +27,7 @@ core::SonarParams taught(core::SonarParams sonar, const SceneVariant& variant, s
   params.window_scans = kTeachingWindow;
   csht::JointEstimator estimator(params, sonar, seed);
   for (const auto& timed : simulate(scene, seed + kOtherSeed, run)) estimator.update(timed.posed);
-  const auto estimate = estimator.sensor_figures().estimate();
+  const auto estimate = estimator.sensor_estimate().value();
   sonar.miss_probability = estimate.miss_probability;
   sonar.false_alarm_probability = estimate.false_alarm_probability;
   return sonar;

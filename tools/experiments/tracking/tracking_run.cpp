@@ -11,15 +11,23 @@ std::uint64_t run_seed(std::uint64_t seed, int run) {
   return core::Random(seed, core::RandomStream::experiment, static_cast<std::uint64_t>(run))();
 }
 
-TrackingOutput track(tracking::Tracker& tracker, const std::vector<TimedScan>& scans, double lag_s) {
+std::unique_ptr<tracking::ScanPipeline> pipeline_of(const std::string& tracker,
+                                                    const core::SonarParams& sonar, std::uint64_t seed) {
+  tracking::ChainParams params;
+  params.tracker.name = tracker;
+  params.seed = seed;
+  return tracking::make_pipeline(params, sonar);
+}
+
+TrackingOutput track(tracking::ScanPipeline& pipeline, const std::vector<TimedScan>& scans, double lag_s) {
   TrackingOutput output;
   double spent_ms = 0.0;
   for (const auto& scan : scans) {
     const double start_ms = thread_time_ms();
-    auto tracks = tracker.update(scan.posed);
+    auto tracks = pipeline.step(scan.posed).tracks;
     const std::int64_t asked = scans[output.tracks.size()].truth.utime;
     const bool due = scan.truth.utime - asked >= core::microseconds(lag_s);
-    if (due && lag_s > 0.0) tracks = tracker.retrodict(asked);
+    if (due && lag_s > 0.0) tracks = pipeline.retrodict(asked);
     spent_ms += thread_time_ms() - start_ms;
     if (due) output.tracks.emplace_back(tracks.begin(), tracks.end());
   }

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "core/sonar_params.hpp"
 #include "core/track.hpp"
 #include "tools/experiments/harness/experiment.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
-#include "tracking/tracker.hpp"
+#include "tracking/tracking_chain.hpp"
 
 namespace lookout::tools {
 
@@ -19,9 +23,14 @@ struct TrackingOutput {
 /// The seed of a tracker in one run of an experiment, of a stream that the simulator does not use.
 std::uint64_t run_seed(std::uint64_t seed, int run);
 
-/// Runs a tracker over all scans of a run.
+/// The pipeline of a tracker and the estimator that it has by default.
+std::unique_ptr<tracking::ScanPipeline> pipeline_of(const std::string& tracker,
+                                                    const core::SonarParams& sonar, std::uint64_t seed);
+
+/// Runs a pipeline over all scans of a run.
 /// @param lag_s how long after a scan its tracks are asked for [s]; above 0 of trackers that can retrodict.
-TrackingOutput track(tracking::Tracker& tracker, const std::vector<TimedScan>& scans, double lag_s = 0.0);
+TrackingOutput track(tracking::ScanPipeline& pipeline, const std::vector<TimedScan>& scans,
+                     double lag_s = 0.0);
 
 /// All metrics of the tracking experiments: OSPA and its parts against the visible truth (`ospa_schedule`
 /// against the schedule), GOSPA and its parts, and how the targets were followed.

@@ -24,13 +24,17 @@ class TrajectoryFile {
   core::CsvWriter csv_;
 };
 
-void write_search(const csht::JointSearch& search, const std::string& directory) {
-  TrajectoryFile seeds(directory + "/joint_seeds.csv"), clusters(directory + "/joint_clusters.csv");
-  for (const auto& seed : search.seeds()) seeds.add(seed.state, seed.score);
-  for (const auto& target : search.targets()) clusters.add(target.mean, target.log_odds);
-  for (const auto& candidate : search.candidates()) clusters.add(candidate.mean, candidate.log_odds);
-  seeds.close();
-  clusters.close();
+/// The trajectories that stand for each hypothesis, weighted by the odds of its existence.
+void write_hypotheses(const csht::JointScene& scene, const std::string& directory) {
+  TrajectoryFile clouds(directory + "/joint_clouds.csv"), means(directory + "/joint_hypotheses.csv");
+  for (const auto& track : scene.tracks) {
+    if (!track.used) continue;
+    means.add(track.moments.mean.head<4>(), track.log_odds);
+    for (std::size_t i = 0; i < track.cloud.size(); ++i)
+      clouds.add(track.cloud.trajectory(i).head<4>(), track.existence() * track.cloud.weight[i]);
+  }
+  clouds.close();
+  means.close();
 }
 
 }  // namespace
@@ -60,7 +64,7 @@ void write_joint_window(const std::vector<TimedScan>& scans, const core::SonarPa
   }
   write_echoes(scans, directory + "/joint_echoes.csv");
   core::write_truth(directory + "/joint_truth.csv", truth);
-  write_search(estimator.search(), directory);
+  write_hypotheses(estimator.scene(), directory);
   core::write_elements(directory + "/joint_elements.csv", {elements});
 }
 

@@ -10,9 +10,9 @@
 namespace lookout::tools {
 
 /// Writes what the joint estimator makes of one window, step by step, for a picture: joint_echoes.csv
-/// (time_s,north_m,east_m), joint_truth.csv, joint_seeds.csv and joint_clusters.csv
+/// (time_s,north_m,east_m), joint_truth.csv, joint_clouds.csv and joint_hypotheses.csv
 /// (north_m,east_m,north_velocity_mps,east_velocity_mps,weight) and joint_elements.csv. The weight is the
-/// log-likelihood ratio of a seed and the log odds of a cluster [nats]; states at the newest scan.
+/// probability of a trajectory and the log odds of a hypothesis [nats]; states at the newest scan.
 void write_joint_window(const std::vector<TimedScan>& scans, const core::SonarParams& sonar,
                         std::uint64_t seed, const std::string& directory);
 

@@ -2,14 +2,27 @@
 
 namespace lookout::tracking {
 
-ImageChain::ImageChain(const core::SonarParams& configured, std::string_view method, OnTracks on_tracks,
+ImageChain::ImageChain(const core::SonarParams& configured, std::string_view method, OnResult on_result,
                        Report report, const IntakeParams& params)
     : tracker_(method),
-      on_tracks_(std::move(on_tracks)),
+      on_result_(std::move(on_result)),
       intake_(configured,
-              {[this](const core::PosedImage& posed) { on_tracks_(posed, tracker_.update(posed)); },
-               [this] { tracker_.reset(); }, std::move(report)},
+              {[this](const core::PosedImage& posed) { track(posed); }, [this] { tracker_.reset(); },
+               std::move(report)},
               params) {}
+
+// An element stands for the newest image alone.
+void ImageChain::track(const core::PosedImage& posed) {
+  const core::SonarImage& image = posed.image;
+  PingResult result{.utime = image.utime, .sequence = image.sequence, .sensor_id = image.sensor_id};
+  result.p_earth_sonar = {posed.T_earth_sonar.north, posed.T_earth_sonar.east};
+  result.tracks = tracker_.update(posed);
+  elements_ = as_elements(result.tracks, image.utime);
+  result.elements = elements_;
+  result.method = core::EstimatorMethod::h_pmht;
+  result.window_scans = 1;
+  on_result_(result);
+}
 
 std::vector<core::MotionElement> as_elements(std::span<const core::Track> tracks, std::int64_t utime) {
   std::vector<core::MotionElement> elements;

@@ -7,6 +7,7 @@
 
 #include "core/motion_element.hpp"
 #include "tracking/intake/scan_intake.hpp"
+#include "tracking/ping_result.hpp"
 #include "tracking/track_before_detect/images/image_tracker.hpp"
 
 namespace lookout::tracking {
@@ -14,12 +15,12 @@ namespace lookout::tracking {
 /// Intake and image tracker in one: vehicle states and images in as they arrive, tracks out image by image.
 class ImageChain {
  public:
-  /// Called once for each accepted image; everything passed is valid until it returns.
-  using OnTracks = std::function<void(const core::PosedImage&, std::span<const core::Track>)>;
-  using Report = std::function<void(const std::string&)>;
+  using Ping = core::SonarImage;
+  using OnResult = std::function<void(const PingResult&)>;  ///< Once for each accepted image, in their order.
+  using Report = std::function<void(const std::string&)>;   ///< One line for a person.
 
   /// @param method one of image_tracker_names().
-  ImageChain(const core::SonarParams& configured, std::string_view method, OnTracks on_tracks, Report report,
+  ImageChain(const core::SonarParams& configured, std::string_view method, OnResult on_result, Report report,
              const IntakeParams& params = {});
   ImageChain(const ImageChain&) = delete;
   ImageChain& operator=(const ImageChain&) = delete;
@@ -32,12 +33,16 @@ class ImageChain {
   std::int64_t newest_utime() const { return intake_.newest_utime(); }
 
  private:
+  void track(const core::PosedImage& posed);
+
   ImageTracker tracker_;
-  OnTracks on_tracks_;
+  OnResult on_result_;
+  std::vector<core::MotionElement> elements_;
   ImageIntake intake_;
 };
 
 /// Tracks as motion elements of their own: what track-before-detect has in place of a window's estimates.
+/// @param utime of the image that the tracks are of [us].
 std::vector<core::MotionElement> as_elements(std::span<const core::Track> tracks, std::int64_t utime);
 
 }  // namespace lookout::tracking

@@ -62,7 +62,7 @@ TEST(TargetPrior, WhatEntersIsTheFluxOverTheBorder) {
 TEST(TargetPrior, RefusesValuesOutOfRange) {
   EXPECT_NO_THROW(validate(TargetPriorParams{}));
   EXPECT_THROW(validate(TargetPriorParams{.expected_targets = 0.0}), std::invalid_argument);
-  EXPECT_THROW(validate(TargetPriorParams{.interior_rate = 0.0}), std::invalid_argument);
+  EXPECT_THROW(validate(TargetPriorParams{.interior_rate = -0.1}), std::invalid_argument);
   EXPECT_THROW(validate(TargetPriorParams{.settling_s = -1.0}), std::invalid_argument);
   EXPECT_THROW(validate(TargetPriorParams{.settling_rate = -1.0}), std::invalid_argument);
   EXPECT_THROW(validate(TargetPriorParams{.speed_sigmas = 0.0}), std::invalid_argument);

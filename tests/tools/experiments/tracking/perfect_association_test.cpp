@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "tools/experiments/tracking/tracking_run.hpp"
 #include "tracking/metrics/scorer.hpp"
-#include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -20,10 +20,10 @@ TEST(PerfectAssociation, IsBetterThanATracker) {
   const core::SonarParams sonar;
   PerfectAssociation reference(sonar);
   tracking::Scorer told, found;
-  const auto tracker = tracking::make_tracker("gnn", {}, sonar, {}, 1);
+  const auto tracker = pipeline_of("gnn", sonar, 1);
   for (const auto& scan : scans) {
     told.add(scan.truth, reference.update(scan));
-    found.add(scan.truth, tracker->update(scan.posed));
+    found.add(scan.truth, tracker->step(scan.posed).tracks);
   }
   EXPECT_LT(told.mean().position.total, found.mean().position.total);
   EXPECT_LT(told.mean().position.total, 1.0);  // sigma 1 m and the late first echo of five targets

@@ -14,7 +14,7 @@ std::vector<TimedScan> easy_run() {
 
 TEST(TrackingRun, OneAnswerAScanAndItsMetrics) {
   const auto scans = easy_run();
-  const auto tracker = tracking::make_tracker("gnn", {}, {}, {}, 1);
+  const auto tracker = pipeline_of("gnn", {}, 1);
   const auto output = track(*tracker, scans);
   ASSERT_EQ(output.tracks.size(), scans.size());
   const Metrics metrics = score(scans, output);
@@ -33,8 +33,8 @@ TEST(TrackingRun, DelayedOutputAnswersForScansThatAreLongEnoughAgo) {
   const auto scans = easy_run();
   const auto scene = load_variant("tracking_table7.yaml", {0.1, 0.1, 1.0, sonar_sim::ClutterReading::light});
   const core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
-  const auto online = tracking::make_tracker("joint", {}, sonar, {}, 1);
-  const auto delayed = tracking::make_tracker("joint", {}, sonar, {}, 1);
+  const auto online = pipeline_of("joint", sonar, 1);
+  const auto delayed = pipeline_of("joint", sonar, 1);
   const auto late = track(*delayed, scans, 5.0);
   EXPECT_EQ(late.tracks.size(), scans.size() - 10);  // 5 s of two scans a second
   EXPECT_LT(score(scans, late).at("ospa").value, score(scans, track(*online, scans)).at("ospa").value);

@@ -10,7 +10,7 @@ namespace {
 TEST(ImageChain, GivesOneListForEachImageBetweenTwoStates) {
   std::vector<std::int64_t> utimes;
   ImageChain chain(
-      {}, "h_pmht", [&](const core::PosedImage& posed, auto) { utimes.push_back(posed.image.utime); },
+      {}, "h_pmht", [&](const PingResult& result) { utimes.push_back(result.utime); },
       [](const std::string&) {});
   const auto pings = pings_of(sonar_scene("", 2.0), 1006);
   chain.add(core::VehicleState{pings.front().image.utime, {}, {}});
@@ -27,7 +27,7 @@ TEST(ImageChain, GivesOneListForEachImageBetweenTwoStates) {
 TEST(ImageChain, AnImageWithoutAPoseIsRejected) {
   int lists = 0;
   ImageChain chain(
-      {}, "h_pmht", [&](const auto&, auto) { ++lists; }, [](const std::string&) {});
+      {}, "h_pmht", [&](const PingResult&) { ++lists; }, [](const std::string&) {});
   chain.add(pings_of(sonar_scene("", 1.0), 1007).front().image);
   chain.finish();
   EXPECT_EQ(lists, 0);

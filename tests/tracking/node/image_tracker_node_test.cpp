@@ -1,4 +1,4 @@
-#include "tracking/track_before_detect/images/image_tracker_node.hpp"
+#include "tracking/node/tracker_node.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,12 +10,16 @@
 namespace lookout::tracking {
 namespace {
 
+std::unique_ptr<ImageChain> h_pmht(ImageChain::OnResult on_result, ImageChain::Report report) {
+  return std::make_unique<ImageChain>(core::SonarParams(), "h_pmht", std::move(on_result), std::move(report));
+}
+
 TEST(ImageTrackerNode, PublishesEachResultOnceForEachImage) {
   lcmtypes::Bus bus("memq://");
   TrackerNodeParams params;
   params.node_id = 3;
   params.publish_estimates = true;
-  ImageTrackerNode node(bus, params, [](const std::string&) {});
+  ImageTrackerNode node(bus, params, &h_pmht, [](const std::string&) {});
   std::vector<lcmtypes::KeyedTracks> lists;
   std::vector<lcmtypes::KeyedElements> elements;
   std::size_t estimates = 0;
@@ -51,7 +55,7 @@ TEST(ImageTrackerNode, RefusesTheNodeIdOfProgramsThatTrackNothing) {
   lcmtypes::Bus bus("memq://");
   TrackerNodeParams params;
   params.node_id = 0;
-  EXPECT_THROW(ImageTrackerNode(bus, params, [](const std::string&) {}), core::InputError);
+  EXPECT_THROW(ImageTrackerNode(bus, params, &h_pmht, [](const std::string&) {}), core::InputError);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
-#include "tracking/joint/sensor_learning.hpp"
+#include "csht/joint/sensor_learning.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace lookout::tracking {
+namespace lookout::csht {
 
-void resample(const csht::TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector4d>& samples) {
+void resample(const TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector4d>& samples) {
   samples.clear();
   const auto wanted = static_cast<std::size_t>(count);
   const double step = 1.0 / static_cast<double>(count);
@@ -16,28 +16,28 @@ void resample(const csht::TrajectoryCloud& cloud, int count, std::vector<Eigen::
       samples.emplace_back(cloud.north[i], cloud.east[i], cloud.north_velocity[i], cloud.east_velocity[i]);
 }
 
-SensorLearning::SensorLearning(const SensorLearningParams& params, double least_existence,
-                               const core::SonarParams& sonar)
-    : params_(params), least_existence_(least_existence), figures_({}, sonar) {}
+SensorLearning::SensorLearning(const SensorLearningParams& params, const core::SonarParams& sonar)
+    : params_(params), figures_({}, sonar) {}
 
-void SensorLearning::learn(TrackerState& state) {
+void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& likelihood) {
+  const ScanHistory& scans = likelihood.scans();
   targets_.clear();
-  for (const csht::TargetTrack& track : state.tracks) {
-    if (!track.used || track.cloud.motion == csht::Motion::bend || track.existence() < least_existence_)
+  for (const TargetTrack& track : tracks) {
+    if (!track.used || track.cloud.motion == Motion::bend || track.existence() < params_.least_existence)
       continue;
     if (samples_.size() == targets_.size())
       samples_.emplace_back().reserve(static_cast<std::size_t>(params_.target_samples));
     auto& samples = samples_[targets_.size()];
     resample(track.cloud, params_.target_samples, samples);
-    const auto since_first = static_cast<int>(state.scans().pushed() - 1 - track.first_scan);
+    const auto since_first = static_cast<int>(scans.pushed() - 1 - track.first_scan);
     targets_.push_back({samples, track.existence(), std::min(since_first, track.recent.size())});
   }
-  figures_.update(state.scans(), targets_);
-  if (changed(state.scans().figures())) state.likelihood.set_figures(figures_.figures());
+  figures_.update(scans, targets_);
+  if (changed(scans.figures())) likelihood.set_figures(figures_.figures());
 }
 
-bool SensorLearning::changed(const csht::SensorFigures& before) const {
-  const csht::SensorFigures& now = figures_.figures();
+bool SensorLearning::changed(const SensorFigures& before) const {
+  const SensorFigures& now = figures_.figures();
   const auto differ = [this](double a, double b) {
     return std::abs(a - b) > params_.least_change * std::min(a, b);
   };
@@ -46,4 +46,4 @@ bool SensorLearning::changed(const csht::SensorFigures& before) const {
          differ(now.clutter_per_scan, before.clutter_per_scan) || differ(now.range_sigma, before.range_sigma);
 }
 
-}  // namespace lookout::tracking
+}  // namespace lookout::csht

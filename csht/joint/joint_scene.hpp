@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/random.hpp"
+#include "core/sonar_params.hpp"
+#include "csht/joint/density/engine_params.hpp"
+#include "csht/joint/density/target_track.hpp"
+#include "csht/joint/evidence/scan_likelihood.hpp"
+#include "csht/joint/evidence/trajectory_sampler.hpp"
+#include "csht/joint/evidence/undetected_targets.hpp"
+#include "csht/joint/sensor_learning.hpp"
+
+namespace lookout::csht {
+
+/// The draws of an engine: those of a scan derive from (seed, stream, scan sequence) alone.
+struct DrawSource {
+  std::uint64_t seed = 1;
+  core::RandomStream stream = core::RandomStream::tracker;
+};
+
+/// What the joint engine knows: the latest scans with what explains them, the hypotheses of targets, and the
+/// tools to sample them. One table of scans, one set of claims, one sampler for estimator and tracker.
+class JointScene {
+ public:
+  /// @param params validated.
+  JointScene(const JointEngineParams& params, const core::SonarParams& sonar, const DrawSource& source);
+
+  TargetPrior prior;
+  core::Random random;
+  ScanLikelihood likelihood;
+  TrajectorySampler sampler;
+  UndetectedTargets undetected;
+  SensorLearning learning;
+  TrajectoryCloud fresh;            ///< Where a cloud is drawn before it replaces another.
+  std::vector<TargetTrack> tracks;  ///< Slots, used again when free.
+
+  /// Takes the next scan, later than all before it. @return seconds since the one before; 0 for the first.
+  double take(const core::PosedScan& scan);
+
+  void learn() { learning.learn(tracks, likelihood); }  ///< The sensor's figures from the newest scan.
+
+  const ScanHistory& scans() const { return likelihood.scans(); }
+  std::int64_t now() const { return scans().newest().utime; }
+
+  /// A slot that is free, with a new identity; null when `max_tracks` are alive. The caller fills it and sets
+  /// `used`.
+  TargetTrack* free_track();
+  int slot_of(const TargetTrack& track) const { return static_cast<int>(&track - tracks.data()); }
+  void release(TargetTrack& track);  ///< Frees the slot and takes back what it claimed.
+
+  std::int64_t next_id() const { return last_id_ + 1; }     ///< Of the next track.
+  void set_next_id(std::int64_t id) { last_id_ = id - 1; }  ///< Identities go on from there.
+  void set_expected_targets(double expected);               ///< In the field of view, > 0, as it is learnt.
+
+ private:
+  DrawSource source_;
+  bool looks_anew_;  ///< Nothing is remembered of what was found before the scans that are kept.
+  std::size_t max_tracks_;
+  std::int64_t last_id_ = 0;
+};
+
+}  // namespace lookout::csht

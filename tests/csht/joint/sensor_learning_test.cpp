@@ -1,0 +1,57 @@
+#include "csht/joint/sensor_learning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "csht/joint/joint_scene.hpp"
+#include "tests/support/sonar_scene.hpp"
+
+namespace lookout::csht {
+namespace {
+
+// Weights 1/4 and 3/4: of 8 equally likely trajectories, 2 and 6.
+TEST(Resample, TakesTrajectoriesByTheirWeights) {
+  TrajectoryCloud cloud;
+  cloud.resize(2);
+  cloud.north = {1.0, 2.0};
+  cloud.weight = {0.25, 0.75};
+  std::vector<Eigen::Vector4d> samples;
+  resample(cloud, 8, samples);
+  ASSERT_EQ(samples.size(), 8U);
+  for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_DOUBLE_EQ(samples[i][0], i < 2 ? 1.0 : 2.0);
+}
+
+// Echoes in 9 of 90 beams: the share is 0.1.
+std::vector<Eigen::Vector2d> nine_echoes() {
+  std::vector<Eigen::Vector2d> points;
+  for (int k = 0; k < 9; ++k) {
+    const double bearing = core::radians(-40.5 + 9.0 * k);
+    points.emplace_back(80.0 * std::cos(bearing), 80.0 * std::sin(bearing));
+  }
+  return points;
+}
+
+TEST(SensorLearning, UnknownFalseAlarmsAreLearntFromFreeBeams) {
+  JointScene scene({}, core::SonarParams(), {});
+  for (int k = 0; k < 20; ++k) {
+    scene.take(scan_of(k, nine_echoes()));
+    scene.learn();
+  }
+  EXPECT_NEAR(scene.learning.estimate().false_alarm_probability, 0.1, 0.005);
+  // The likelihood uses what was learnt.
+  EXPECT_NEAR(scene.scans().figures().false_alarm_probability, 0.1, 0.005);
+}
+
+TEST(SensorLearning, FiguresThatFitAreLeftAsGiven) {
+  core::SonarParams sonar;
+  sonar.miss_probability = sonar.false_alarm_probability = 0.1;
+  JointScene scene({}, sonar, {});
+  scene.take(scan_of(0, nine_echoes()));
+  scene.learn();
+  EXPECT_DOUBLE_EQ(scene.learning.figures().false_alarm_probability, 0.1);
+  EXPECT_DOUBLE_EQ(scene.learning.figures().miss_probability, 0.1);
+}
+
+}  // namespace
+}  // namespace lookout::csht
