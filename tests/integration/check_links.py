@@ -6,6 +6,7 @@
    stands, or with .hpp or .cpp), or the name of a source, script or page, such as `check_links.py`. Names that begin
    with a folder of the tree stand at its root; others, such as `frames/pdim`, may lie anywhere.
    Dated reports, the laboratory book and the change log speak of their own day and are spared this one.
+3. With --sources: a page that a source names, such as `docs/frames.md`, exists.
 
 Prints one line a fault and exits 1 where there is one.
 """
@@ -20,6 +21,8 @@ SUFFIXES = (".hpp", ".cpp")  # Of the files that a name without one may mean.
 BARE_NAME = re.compile(r"^[\w-]+\.(hpp|cpp|md|py|sh|lcm|bib|cmake)$")
 PATH = re.compile(r"^[\w*.-]+(/[\w*.-]+)+/?$")
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
+PAGE_IN_SOURCE = re.compile(r"\bdocs/[\w/-]+\.(?:md|bib)\b")
+SOURCE_SUFFIXES = {".hpp", ".cpp", ".lcm", ".yaml", ".sh", ".cmake", ".py"}
 CODE_BLOCK = re.compile(r"^```.*?^```", re.MULTILINE | re.DOTALL)
 BACKTICKS = re.compile(r"`([^`\n]+)`")
 FOLDERS_OF_OTHERS = {"build", "out"}  # Made by a build or a run.
@@ -98,9 +101,20 @@ def faults_of_page(page):
             yield f"{name}:{line}: {fault}"
 
 
+def faults_of_source(source):
+    for number, line in enumerate(source.read_text().splitlines(), 1):
+        for page in PAGE_IN_SOURCE.findall(line):
+            if not (ROOT / page).exists():
+                yield f"{source.relative_to(ROOT)}:{number}: {page}: no such page"
+
+
 def main():
     pages = sorted(path for path in FILES if path.suffix == ".md")
     faults = [fault for page in pages for fault in faults_of_page(page)]
+    if "--sources" in sys.argv[1:]:
+        own = pathlib.Path(__file__).resolve()
+        sources = sorted(path for path in FILES if path.suffix in SOURCE_SUFFIXES and path != own)
+        faults += [fault for source in sources for fault in faults_of_source(source)]
     print("\n".join(faults) or f"links: {len(pages)} pages, nothing points nowhere")
     return 1 if faults else 0
 
