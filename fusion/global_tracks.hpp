@@ -16,7 +16,7 @@ namespace lookout::fusion {
 
 struct GlobalTracksParams {
   int birth_estimates = 2;   ///< Estimates of a local track before it may start a global one, >= 2.
-                             ///< t2gt 7 starts at the fourth.
+                             ///< [Li2018]'s scene starts at the fourth.
   double coast = 10.0;       ///< A global track that no node supports is kept so long [s], >= 0, at most as
                              ///< long as it has lived. Own choice.
   double local_trust = 0.9;  ///< Probability that one node's track is a target, in (0, 1). Own choice.

@@ -12,10 +12,10 @@ namespace lookout::fusion {
 
 struct LearnedGeometryParams {
   double range_sigma = 3.0;     ///< Where learning begins, along the line of sight [m], > 0. Sonar's own.
-  double bearing_sigma = 0.01;  ///< Where learning begins, across it [rad], > 0. t2gt 6.
-  int window_updates = 25;      ///< Times of fusion that are learned from, >= 1. t2gt 6.
-  int iterations = 4;           ///< Of expectation-maximisation at each time, >= 1. t2gt 6.
-  double pseudo_samples = 6.0;  ///< How strongly a node is drawn to the median node, >= 0. t2gt 6.
+  double bearing_sigma = 0.01;  ///< Where learning begins, across it [rad], > 0. docs/fusion.md.
+  int window_updates = 25;      ///< Times of fusion that are learned from, >= 1. docs/fusion.md.
+  int iterations = 4;           ///< Of expectation-maximisation at each time, >= 1. docs/fusion.md.
+  double pseudo_samples = 6.0;  ///< How strongly a node is drawn to the median node, >= 0. docs/fusion.md.
   double velocity_sigma = 0.3;  ///< Error of a local velocity [m/s], >= 0: what an estimate loses in
                                 ///< accuracy with each second of age. Own choice.
   double least_share = 0.01;    ///< Of the two starting sigmas, below which no node's is believed, > 0:
@@ -24,7 +24,8 @@ struct LearnedGeometryParams {
 
 /// Fusion with matrix weights whose sizes are learned. The fusion node knows where each sensor stands, so it
 /// knows the axes of each error ellipse; the two variances of each node, along and across its line of sight,
-/// come from how the estimates disagree, by expectation-maximisation over all targets of a window. t2gt 6.
+/// come from how the estimates disagree, by expectation-maximisation over all targets of a window.
+/// docs/fusion.md.
 class LearnedGeometry final : public FusionMethod {
  public:
   /// @throws std::invalid_argument on a parameter out of range.

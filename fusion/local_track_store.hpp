@@ -13,8 +13,8 @@ enum class Intake { accepted, implausible, duplicate, out_of_order, clock, no_co
 inline constexpr std::size_t kNumIntakes = 7;
 
 struct LocalTrackStoreParams {
-  double max_gap = 5.0;        ///< Longest time between the two estimates of a tracklet [s], > 0. t2gt 9.
-  double max_age = 5.0;        ///< An estimate older than this has no vote [s], > 0. Own choice.
+  double max_gap = 5.0;  ///< Longest time between the two estimates of a tracklet [s], > 0. docs/fusion.md.
+  double max_age = 5.0;  ///< An estimate older than this has no vote [s], > 0. Own choice.
   double silent_rounds = 3.0;  ///< A track that its node skipped for so many of the node's mean intervals
                                ///< between estimates of one track has ended, > 1. Own choice.
   int skips = 2;  ///< A track has ended too once its node has sent another so many times more often since,

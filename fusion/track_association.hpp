@@ -15,13 +15,14 @@ enum class AssociationRule { max, one_to_one };
 
 struct AssociationParams {
   AssociationRule rule = AssociationRule::one_to_one;
-  double position_scale = 5.0;    ///< u_max of the distance [m], > 0. t2gt 2: about the targets' spacing.
-  double speed_scale = 1.0;       ///< u_max of the speed difference [m/s], > 0. t2gt 2: 0.4 x speed.
-  double heading_scale = 0.8;     ///< u_max of the heading difference [rad], > 0. t2gt 2: 3 x its error.
+  double position_scale =
+      5.0;                   ///< u_max of the distance [m], > 0. docs/fusion.md: about the targets' spacing.
+  double speed_scale = 1.0;  ///< u_max of the speed difference [m/s], > 0. docs/fusion.md: 0.4 x speed.
+  double heading_scale = 0.8;  ///< u_max of the heading difference [rad], > 0. docs/fusion.md: 3 x its error.
   double position_weight = 0.55;  ///< >= 0. [Li2018] Eq. (12), (13).
   double speed_weight = 0.35;     ///< >= 0. The same.
   double heading_weight = 0.10;   ///< >= 0. The same; the three sum to 1.
-  double threshold = 0.35;        ///< Least membership, in [0, 1). t2gt 2 (a).
+  double threshold = 0.35;        ///< Least membership, in [0, 1). docs/fusion.md (a).
   double position_gate = 3.0;  ///< Farther apart than so many position scales two tracks are never one, > 0;
                                ///< `one_to_one` only: a sum lets far targets of one course pass. Own choice.
   double kept_bonus = 0.15;    ///< Added to the membership of a pair that was associated the last time, >= 0:
@@ -29,7 +30,8 @@ struct AssociationParams {
                                ///< needs the gate alone, not the threshold; `one_to_one` only. Own choice.
   double alone_bonus = 1.0;    ///< The same where no other node spoke for the track, >= 0: it is that
                                ///< tracklet's own past, whatever comes near; `one_to_one` only. Own choice.
-  double standing_share = 0.05;  ///< Below this share of speed_scale a target stands, >= 0. t2gt 2 (c).
+  double standing_share =
+      0.05;  ///< Below this share of speed_scale a target stands, >= 0. docs/fusion.md (c).
 };
 
 /// What a tracklet supported the last time.

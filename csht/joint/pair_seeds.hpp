@@ -34,7 +34,7 @@ struct LineFit {
 /// Finds seeds: pairs of echoes that no track explains, the newest scan's with an older one's, each an exact
 /// vote for one trajectory (a sparse Hough vote over north, east and both velocities). Scored backwards under
 /// the softened likelihood; the best stretch is its window; refined by least squares over memberships.
-/// docs/tracker.md.
+/// docs/joint_estimator.md.
 class PairSeeds {
  public:
   explicit PairSeeds(const BirthParams& params);

@@ -10,7 +10,7 @@ namespace lookout::csht {
 // The likelihood of a scan whose pose is uncertain: a target may have been in any beam about the one where
 // the reported pose puts it, and its likelihood ratio is the mean over those beams, each weighted with the
 // probability that the target was in it. Targets share the error; here it is taken as independent from one
-// to the next, which gives away what they tell of each other. Our own; docs/tracker.md.
+// to the next, which gives away what they tell of each other. Our own; docs/scan_likelihood.md.
 
 inline constexpr int kMostBlurReach = 8;  ///< Beams to either side; what lies beyond counts as the outermost.
 inline constexpr std::size_t kBlurBlock = 64;  ///< Most targets that `find_blurred_ratios` takes at a time.

@@ -5,7 +5,7 @@
 namespace lookout::csht {
 
 // Sonars report ranges in (0, max_range] alone: noise takes some echoes of a target near either end out of
-// them, and its beam stays silent. A silence there is less of a miss than elsewhere. docs/estimator.md.
+// them, and its beam stays silent. A silence there is less of a miss than elsewhere. docs/scan_likelihood.md.
 
 /// Writes to `lost` the probability that noise takes an echo of a target at each range [m] out of the gate,
 /// within 1e-6. Vectorised; single precision.

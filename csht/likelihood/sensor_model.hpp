@@ -28,7 +28,7 @@ struct SensorFigures {
 struct SensorModelParams {
   ClutterModel clutter = ClutterModel::exclusive_beam;
   /// Lowest log-likelihood ratio of an echo that is not the target's, in [-50, 0). It stands for what the
-  /// model leaves out; lower gains nothing, -3 doubles the false tracks (docs/estimator.md).
+  /// model leaves out; lower gains nothing, -3 doubles the false tracks (docs/scan_likelihood.md).
   double log_floor = -8.0;
   /// Noise takes echoes out of (0, max_range], and a silence near either end is that much less of a miss.
   bool range_gate = true;

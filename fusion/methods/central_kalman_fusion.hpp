@@ -10,7 +10,7 @@ namespace lookout::fusion {
 /// The centralised Kalman filter, the bound of everything. What each measurement told a node is recovered
 /// from two successive estimates with covariances, P_k^-1 - (F P_{k-1} F' + Q)^-1 (the inverse Kalman
 /// filter), so that one filter of all measurements runs at the fusion node. Exact where each node runs a
-/// linear Kalman filter of `model` and sends every update. t2gt 5.
+/// linear Kalman filter of `model` and sends every update. docs/fusion.md.
 class CentralKalmanFusion final : public FusionMethod {
  public:
   /// @throws std::invalid_argument on a parameter out of range.

@@ -10,7 +10,7 @@ namespace lookout::fusion {
 /// weights 1/trace. `sum`: the plain sum of the inverse covariances, which takes the nodes for independent.
 enum class CovarianceWeights { intersection, sum };
 
-/// Fusion by the covariances that the nodes send. t2gt 5.
+/// Fusion by the covariances that the nodes send. docs/fusion.md.
 class CovarianceFusion final : public FusionMethod {
  public:
   /// `q`: white acceleration [m^2/s^3], >= 0, that ages an estimate. @throws std::invalid_argument.

@@ -81,7 +81,7 @@ void MaximumLikelihoodFusion::advance(Cross& cross, const LocalTrack& a, const L
     const Eigen::Matrix4d predicted =
         F * cross.covariance * F.transpose() + process_noise(dt, model_.process_noise);
     cross.covariance = gain(a, next, model_.process_noise) * predicted *
-                       gain(b, next, model_.process_noise).transpose();  // t2gt 5, C_ij(k)
+                       gain(b, next, model_.process_noise).transpose();  // docs/fusion.md, C_ij(k)
     cross.utime = next;
   }
 }

@@ -10,15 +10,15 @@ namespace lookout::fusion {
 
 /// What the bounds assume of the nodes' Kalman filters.
 struct KalmanModel {
-  double process_noise = 0.01;  ///< White acceleration q [m^2/s^3], >= 0. Own choice; t2gt 7 has 1.
+  double process_noise = 0.01;  ///< White acceleration q [m^2/s^3], >= 0. Own choice; [Li2018]'s scene has 1.
   double velocity_sigma = 3.0;  ///< Of the velocity a filter starts with [m/s], > 0: sonar's max_speed.
-                                ///< t2gt 7 has 300.
+                                ///< [Li2018]'s scene has 300.
 };
 
 /// The best linear fusion of the estimates as sent: all of them stacked with their exact joint covariance,
 /// whose cross terms follow from the covariances of successive estimates alone, since a linear filter's gain
 /// is I - W H = P_k (F P_{k-1} F' + Q)^-1. Exact where each node runs a linear Kalman filter of `model` and
-/// sends every update: the bound of every method that fuses estimates. t2gt 5.
+/// sends every update: the bound of every method that fuses estimates. docs/fusion.md.
 class MaximumLikelihoodFusion final : public FusionMethod {
  public:
   /// @throws std::invalid_argument on a parameter out of range.

@@ -7,7 +7,7 @@
 namespace lookout::fusion {
 
 /// The four reconstructions of DW-DMSTF (distributed multi-sensor track fusion with dynamic weights), whose
-/// original text is not at hand; t2gt 5. Current positions only.
+/// original text is not at hand; docs/fusion.md. Current positions only.
 /// `a`: principal eigenvector of the mutual supports 1 - d/max d; `b`: their row sums; `c`: support against
 /// the predicted global position; `d`: row sums of exp(-d/mean d).
 enum class MutualSupport { a, b, c, d };

@@ -6,7 +6,7 @@
 namespace lookout::fusion {
 
 void normalise(std::vector<double>& support) {
-  constexpr double kNought = 1e-12;  // t2gt 4.1: the printed form is 0/0 here.
+  constexpr double kNought = 1e-12;  // docs/fusion.md, flaw 1: the printed form is 0/0 here.
   const double sum = std::accumulate(support.begin(), support.end(), 0.0);
   const double equal = 1.0 / static_cast<double>(support.size());
   for (double& weight : support) weight = sum < kNought ? equal : weight / sum;

@@ -9,7 +9,7 @@
 namespace lookout::fusion {
 namespace {
 
-/// Support that the repaired weights leave to every tracklet. t2gt 4.
+/// Support that the repaired weights leave to every tracklet. docs/fusion.md.
 constexpr double kLeastSupport = 0.05;
 
 double median(std::vector<double>& values) {

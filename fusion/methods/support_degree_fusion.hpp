@@ -16,12 +16,12 @@ enum class SupportReading { any, col, all };
 
 struct SupportDegreeParams {
   SupportReading reading = SupportReading::any;
-  double length_unit = 1000.0;  ///< Metres that weigh as one radian, > 0: 1000 (km) or 1 (m). t2gt 3.
+  double length_unit = 1000.0;  ///< Metres that weigh as one radian, > 0: 1000 (km) or 1 (m). docs/fusion.md.
   Eigen::Vector2d p_earth_origin{0, 0};  ///< Where rho is measured from: north, east [m].
 };
 
 /// Weights by the support degree function: the nearer a tracklet's line to that of the global track in Hough
-/// space, the more weight. To the letter, flaws included (t2gt 4). [Li2018] Eq. (3)-(7), (14)-(19).
+/// space, the more weight. To the letter, flaws included (docs/fusion.md). [Li2018] Eq. (3)-(7), (14)-(19).
 class SupportDegreeFusion final : public ScalarWeightFusion {
  public:
   /// @throws std::invalid_argument on a unit that is not positive.
@@ -42,7 +42,7 @@ class SupportDegreeFusion final : public ScalarWeightFusion {
 };
 
 /// The repaired weights: residuals across and along the track and of the course, all in metres about the
-/// predicted position, and a support that neither vanishes nor is linear. t2gt 4, `sdf_fixed`.
+/// predicted position, and a support that neither vanishes nor is linear. docs/fusion.md, `sdf_fixed`.
 class SupportDegreeFixed final : public ScalarWeightFusion {
  private:
   void support(const TrackGroup& group, std::vector<double>& support) override;

@@ -36,13 +36,13 @@ TEST(HoughPoint, HasNoLineForAStandingTarget) {
   EXPECT_FALSE(hough_point({3.0, 4.0}, {3.0, 4.0}, kOrigin));
 }
 
-// The flaws of the printed map, t2gt 4, kept on purpose in `sdf` and shown here.
+// The flaws of the printed map, docs/fusion.md, kept on purpose in `sdf` and shown here.
 
 TEST(HoughPoint, FoldsMirroredLinesOnOnePoint) {
   const auto above = hough_point({0.0, 100.0}, {1.0, 101.0}, kOrigin);
   const auto below = hough_point({0.0, -100.0}, {1.0, -99.0}, kOrigin);
   ASSERT_TRUE(above && below);
-  EXPECT_NEAR(above->rho, 100.0 / std::numbers::sqrt2, 1e-9);  // 70.7, t2gt 4.4.
+  EXPECT_NEAR(above->rho, 100.0 / std::numbers::sqrt2, 1e-9);  // 70.7, docs/fusion.md, flaw 4.
   EXPECT_NEAR(hough_distance(*above, *below, 1.0), 0.0, 1e-9);
 }
 
@@ -54,7 +54,8 @@ TEST(HoughPoint, JumpsWhereTheNormalCrossesTheEndOfItsAxis) {
 }
 
 TEST(HoughPoint, LeverArmTurnsHeadingJitterIntoDistance) {
-  // A heading jitter of 14 m over a tracklet of 566 m moves rho by about 13,700 * 14 / 566 = 339 m; t2gt 4.2.
+  // A heading jitter of 14 m over a tracklet of 566 m moves rho by about 13,700 * 14 / 566 = 339 m;
+  // docs/fusion.md, flaw 2.
   const Eigen::Vector2d older(9300.0, 10000.0);
   const auto straight = hough_point(older, older + Eigen::Vector2d(400.0, -400.0), kOrigin);
   const auto jittered = hough_point(older, older + Eigen::Vector2d(409.9, -390.1), kOrigin);

@@ -35,7 +35,7 @@ TEST(LocalTrackStore, RefusesDuplicatesAndOlderEstimates) {
 TEST(LocalTrackStore, ATrackletNeedsItsEstimatesCloseInTime) {
   LocalTrackStore store({});
   store.add(estimate(1, 1, 0.0, kState));
-  store.add(estimate(1, 1, 5.5, kState));  // t2gt 9: at most 5 s apart, else a candidate again.
+  store.add(estimate(1, 1, 5.5, kState));  // docs/fusion.md: at most 5 s apart, else a candidate again.
   EXPECT_FALSE(store.tracks().begin()->second.is_tracklet());
   store.add(estimate(1, 1, 6.0, kState));
   EXPECT_TRUE(store.tracks().begin()->second.is_tracklet());

@@ -13,7 +13,7 @@
 namespace lookout::tracking {
 
 /// A textbook tracker to compare with: global nearest neighbour, M-of-N confirmation. One set for every cell
-/// of every table; how it was chosen stands in docs/tracking.md.
+/// of every table; how it was chosen stands in docs/csht_tracker.md.
 struct GnnParams {
   double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
   MotionModelParams motion;        ///< See there.

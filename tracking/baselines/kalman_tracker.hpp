@@ -13,7 +13,7 @@
 namespace lookout::tracking {
 
 /// The baseline of [Yan2018] Sec. V.C. What the paper leaves open is the gate and when a track is confirmed
-/// and dropped; how they were chosen stands in docs/tracking.md.
+/// and dropped; how they were chosen stands in docs/csht_tracker.md.
 struct KalmanParams {
   double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
   /// Largest distance from a prediction to its detection [m], > 0: with this process noise the statistical

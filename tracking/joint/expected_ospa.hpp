@@ -17,7 +17,7 @@ struct ReportCandidate {
 };
 
 /// Chooses which tracks to report: the most probable k, k such that the expected OSPA over target sets drawn
-/// from the candidates (and from targets not seen yet) is least. docs/tracker.md.
+/// from the candidates (and from targets not seen yet) is least. docs/joint_tracker.md.
 class ExpectedOspa {
  public:
   /// @throws nothing; `params` are validated by the tracker.

@@ -13,7 +13,7 @@ namespace lookout::tracking {
 /// The error of a scan's heading is one for all its targets: where navigation states headings with an error,
 /// the tracks tell which, before the scan is taken in. Each heading of a grid is weighed with its prior and
 /// with the likelihood of the scan under it, the tracks being where they are predicted to be.
-/// docs/tracker.md.
+/// docs/joint_tracker.md.
 class HeadingCorrection {
  public:
   explicit HeadingCorrection(const HeadingParams& params) : params_(params) {}

@@ -99,7 +99,7 @@ void ScanUpdate::refresh(csht::TargetTrack& track, TrackerState& state) {
 }
 
 // Odds that were picked as the best of many are too high; drawn again from the whole life they are not.
-// docs/tracker.md.
+// docs/joint_tracker.md.
 bool ScanUpdate::tells_odds(const csht::TargetTrack& track, const csht::AgeSpan& ages,
                             const csht::SamplingResult& result, const TrackerState& state) const {
   const bool whole_life = ages.births && ages.oldest == state.scans().pushed() - 1 - track.first_scan;

@@ -11,7 +11,7 @@ namespace lookout::csht {
 /// The density of one track: weighted trajectories, scored under the exact likelihood of the scans.
 struct TrajectoryCloudParams {
   int trajectories = 256;  ///< In a cloud, 32 to 4096.
-  double memory_s = 60.0;  ///< Scans older than this are forgotten [s], > 0. docs/tracker.md.
+  double memory_s = 60.0;  ///< Scans older than this are forgotten [s], > 0. docs/joint_estimator.md.
   double refresh_share =
       0.25;                   ///< Drawn afresh when the effective share of the cloud falls below, in (0, 1).
   double refresh_goal = 0.4;  ///< Effective share at which a refresh is content, in (refresh_share, 1).
@@ -45,12 +45,13 @@ struct BeamClaimParams {
 struct BirthParams {
   double window_s = 20.0;  ///< Longest stretch that a new target is scored over [s], > 0.
   double enough_nats =
-      30.0;                  ///< Information that is enough to weigh a new target [nats], > 0: twice what the
-                             ///< number of trajectories that can be told apart asks for. docs/tracker.md.
-  double begin_nats = 11.0;  ///< Evidence after which a target that appears is found, > 0. docs/tracker.md.
-  double least_nats = 0.05;  ///< Least information of a scan that is reckoned with [nats], > 0.
-  int min_lag_scans = 2;     ///< Between the two echoes of a pair, >= 1.
-  double max_lag_s = 10.0;   ///< Between the two echoes of a pair [s], > 0.
+      30.0;  ///< Information that is enough to weigh a new target [nats], > 0: twice what the
+             ///< number of trajectories that can be told apart asks for. docs/joint_estimator.md.
+  double begin_nats =
+      11.0;  ///< Evidence after which a target that appears is found, > 0. docs/joint_estimator.md.
+  double least_nats = 0.05;   ///< Least information of a scan that is reckoned with [nats], > 0.
+  int min_lag_scans = 2;      ///< Between the two echoes of a pair, >= 1.
+  double max_lag_s = 10.0;    ///< Between the two echoes of a pair [s], > 0.
   double first_look_s = 6.0;  ///< Stretch over which all pairs are scored before most are dropped [s], > 0.
   int first_look_keep = 192;  ///< Pairs that are scored over the whole window, >= 1.
   /// Of a pair and of a refined line: a single line is scored fairly only when neighbouring beams are mixed

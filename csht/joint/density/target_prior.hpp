@@ -9,7 +9,7 @@ struct TargetPriorParams {
   double expected_targets = 2.0;  ///< In the field of view at any time, > 0.
   double interior_rate = 0.002;   ///< Targets that appear inside the field of view [1/s], >= 0.
   /// A sonar that starts may not show at once all that is there: during the first seconds [s], >= 0, so many
-  /// more come into sight [1/s], >= 0. docs/tracker.md.
+  /// more come into sight [1/s], >= 0. docs/joint_estimator.md.
   double settling_s = 2.0, settling_rate = 2.0;
   double speed_sigmas = 3.0;  ///< The speed limit in standard deviations of a velocity component, > 0.
   double speed_edge = 0.2;    ///< Beyond the limit densities fall off with this sigma [m/s], > 0.

@@ -14,7 +14,7 @@ struct ScanEvidence {
   double mean() const { return detect * echo + (1.0 - detect) * silence; }
 };
 
-/// Of a sonar with these figures. docs/tracker.md.
+/// Of a sonar with these figures. docs/joint_estimator.md.
 ScanEvidence evidence_of(const SensorFigures& figures, const ScanTable& scan);
 
 /// Mean information of one scan on a target in view [nats].

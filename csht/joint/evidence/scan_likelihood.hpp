@@ -29,7 +29,7 @@ struct AgeSpan {
 };
 
 /// The likelihood of trajectories over the latest scans, with what other tracks explain left out: in a beam
-/// shared with a nearer target, the farther one learns nothing. docs/tracker.md.
+/// shared with a nearer target, the farther one learns nothing. docs/joint_estimator.md.
 class ScanLikelihood {
  public:
   static constexpr int kNobody = -1;     ///< As `self`: the claims of all tracks count.
@@ -68,7 +68,7 @@ class ScanLikelihood {
 
   /// Adds to `log_ratio[i]` what the scans of these ages say of trajectory i, the claims of all but `self`
   /// left out; with births, what `log_ratio` held before is lost. The sum over the beginnings is
-  /// Q_t = (Q_{t-1} + birth) L_t, oldest first, as in docs/estimator.md.
+  /// Q_t = (Q_{t-1} + birth) L_t, oldest first, as in docs/joint_estimator.md.
   /// @param mean of the trajectories, near which claims matter.
   void add(const TrajectoryCloud& cloud, const Trajectory& mean, const AgeSpan& ages, int self,
            std::span<double> log_ratio);

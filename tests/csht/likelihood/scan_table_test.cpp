@@ -41,7 +41,7 @@ TEST(ScanTable, LaysEchoesOutByBeamWithASlotAtEitherEnd) {
   EXPECT_FALSE(table.whole_circle);
 }
 
-// gain = (1 - P_M) / P_F x R / (sigma sqrt(2 pi)); silence = P_M / (1 - P_F). docs/estimator.md.
+// gain = (1 - P_M) / P_F x R / (sigma sqrt(2 pi)); silence = P_M / (1 - P_F). docs/scan_likelihood.md.
 TEST(ScanTable, FiguresOfTheExclusiveBeam) {
   const ScanTable table = with_figures({});
   EXPECT_NEAR(table.gain, 0.8 / 0.5 * 100.0 / (2.0 * std::sqrt(2.0 * std::numbers::pi)), 1e-4);

@@ -26,7 +26,7 @@ SupportDegreeFusion sdf(SupportReading reading) {
 
 TEST(SupportDegreeFusion, ColumnReadingGivesTheFarthestNothing) {
   auto method = sdf(SupportReading::col);
-  // Lines 100 m and 200 m off, parallel: r = 1 - 100/200 and 0; t2gt 4.1.
+  // Lines 100 m and 200 m off, parallel: r = 1 - 100/200 and 0; docs/fusion.md, flaw 1.
   const auto fused = fuse(method, {tracklet(1, {0, 100, kSpeed, 0}), tracklet(2, {0, 200, kSpeed, 0})});
   EXPECT_NEAR(fused.y(), 100.0, 1e-9);
 }
@@ -46,7 +46,7 @@ TEST(SupportDegreeFusion, EqualWeightsWhereThePrintedFormIsNoughtByNought) {
 TEST(SupportDegreeFusion, DoesNotSeeALateTracklet) {
   auto method = sdf(SupportReading::col);
   // 990 m late on the right line beats two that are 14 m and 18 m off: weights 9/11, 2/11, 0 for parallel
-  // lines; t2gt 4.3 has 0.83, 0.17, 0 in its scene.
+  // lines; docs/fusion.md, flaw 3 has 0.83, 0.17, 0 in its scene.
   const auto fused = fuse(method, {tracklet(1, {-990, 0, kSpeed, 0}), tracklet(2, {0, 14, kSpeed, 0}),
                                    tracklet(3, {0, 18, kSpeed, 0})});
   EXPECT_NEAR(fused.x(), -990.0 * 9.0 / 11.0, 1e-6);
@@ -57,7 +57,7 @@ TEST(SupportDegreeFusion, FarTargetsTurnTheAllReadingIntoTheMean) {
   const std::vector<LocalTrack> near{tracklet(1, {0, 10, kSpeed, 0}), tracklet(2, {0, 40, kSpeed, 0})};
   const std::vector<LocalTrack> far{tracklet(1, {0, 9e3, kSpeed, 0})};
   const std::vector<TrackGroup> groups{group({0, 0, kSpeed, 0}, near), group({0, 9e3, kSpeed, 0}, far)};
-  EXPECT_NEAR(method.fuse(groups).front().state.y(), 25.0, 0.1);  // t2gt 4.6.
+  EXPECT_NEAR(method.fuse(groups).front().state.y(), 25.0, 0.1);  // docs/fusion.md, flaw 6.
 }
 
 TEST(SupportDegreeFusion, AStandingTrackletHasTheMeanWeight) {
@@ -78,7 +78,7 @@ TEST(SupportDegreeFixed, SeesALateTracklet) {
   SupportDegreeFixed method;
   const auto fused = fuse(method, {tracklet(1, {-990, 0, kSpeed, 0}), tracklet(2, {0, 14, kSpeed, 0}),
                                    tracklet(3, {0, 18, kSpeed, 0})});
-  // d^2 = 990^2, 14^2, 18^2 with median 18^2: r = 0.0503, 0.673, 0.55, written out from t2gt 4.
+  // d^2 = 990^2, 14^2, 18^2 with median 18^2: r = 0.0503, 0.673, 0.55, written out from docs/fusion.md.
   EXPECT_NEAR(fused.x(), -990.0 * 0.0503 / (0.0503 + 0.6731 + 0.55), 0.5);
 }
 

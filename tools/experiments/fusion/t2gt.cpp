@@ -13,8 +13,8 @@
 namespace lookout::tools {
 namespace {
 
-constexpr int kFirstScored = 6;  // Scans; t2gt 7.
-constexpr int kBirthScan = 3;    // Global tracks are formed here; t2gt 7.
+constexpr int kFirstScored = 6;  // Scans; docs/fusion.md.
+constexpr int kBirthScan = 3;    // Global tracks are formed here; docs/fusion.md.
 constexpr double kDefaultAzimuth = core::radians(0.05);
 const Eigen::Vector2d kFusionNode(21000.0, 24000.0);
 const std::vector<std::string> kNoises{"0.05deg", "0.5deg", "0.05rad"};
@@ -36,13 +36,13 @@ fusion::FusionParams fusion_of(const Cell& cell) {
   params.method = cell.method;
   params.limits.max_speed = 1e4;                  // A first velocity at 0.05 rad may be far off.
   params.store.max_age = 0.5 * kRadarScanPeriod;  // A radar silent for a scan is left out of it.
-  params.association.position_scale = 1500.0;     // These three: t2gt 2.
+  params.association.position_scale = 1500.0;     // These three: docs/fusion.md.
   params.association.speed_scale = 120.0;
   params.association.heading_scale = 0.6;
   if (cell.parameters.has("association") && cell.parameters.text("association") == "max")
     params.association.rule = fusion::AssociationRule::max;
   params.global.birth_estimates = kBirthScan + 1;
-  params.learned.range_sigma = 100.0;  // t2gt 6; the bearing's is the default.
+  params.learned.range_sigma = 100.0;  // docs/fusion.md; the bearing's is the default.
   params.kalman = {1.0, kRadarVelocitySigma};
   if (cell.parameters.has("support")) {
     const std::string support = cell.parameters.text("support");
@@ -174,7 +174,7 @@ class T2gt final : public Experiment {
     return metrics;
   }
 
-  /// The figure of t2gt 8: the mean over the targets of each one's RMSE.
+  /// The figure of docs/results: the mean over the targets of each one's RMSE.
   void complete(Estimates& estimates) const override {
     Estimate mean;
     double count = 0.0, squared_width = 0.0;

@@ -42,7 +42,7 @@ std::vector<Radar> make_radars(const RadarSceneParams& params) {
   return radars;
 }
 
-/// Range and azimuth turned into a position without bias, with its rotated covariance. t2gt 7.
+/// Range and azimuth turned into a position without bias, with its rotated covariance. docs/fusion.md.
 Measurement measure(const Radar& radar, const Eigen::Vector2d& target, core::Random& random) {
   const Eigen::Vector2d sight = target - radar.site;
   const double range = sight.norm() + random.gaussian(radar.range_sigma);

@@ -23,8 +23,8 @@ double rmse(const std::string& method, const std::string& noise, const std::stri
   return rmse({{"method", method}, {"azimuth_noise", noise}, {"fault", fault}});
 }
 
-/// Expected figures: the prototype's table in t2gt 8 (tools/data/t2gt_reference.csv). 60 runs have a standard
-/// error of about 2 %, of pairs less.
+/// Expected figures: the prototype's table in docs/results (tools/data/t2gt_reference.csv). 60 runs have a
+/// standard error of about 2 %, of pairs less.
 constexpr double kTolerance = 0.07;
 
 TEST(T2gt, MeanAndDefaultAreThoseOfTheSpecification) {
@@ -52,7 +52,7 @@ TEST(T2gt, PrintedAssociationLosesTracksThatOneToOneKeeps) {
   const std::vector<Filter> col{{"method", "sdf"}, {"support", "col"}, {"azimuth_noise", "0.05rad"}};
   std::vector<Filter> printed = col;
   printed.push_back({"association", "max"});
-  EXPECT_GT(rmse(printed, 100), 1.1 * rmse(col, 100));  // In a few runs of a hundred; t2gt 2.
+  EXPECT_GT(rmse(printed, 100), 1.1 * rmse(col, 100));  // In a few runs of a hundred; docs/fusion.md.
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // How many iterations the E-step needs to pull a mean from 4 px off to within 0.5 px of a 12 x 8 target:
-// hpmht specification, section 3, mean of ten frames.
+// docs/notes/start_and_level_of_h_pmht.md, iteration table, mean of ten frames.
 #include <gtest/gtest.h>
 
 #include <cmath>
