@@ -16,6 +16,28 @@ if(LOOKOUT_COVERAGE)
   target_link_options(lookout_warnings INTERFACE --coverage)
 endif()
 
+# What was compiled before is taken from ccache where it is installed and no other launcher was named. Paths below the
+# checkout count as relative, so that two checkouts share; the two leniencies are what precompiled headers need.
+find_program(LOOKOUT_CCACHE ccache)
+mark_as_advanced(LOOKOUT_CCACHE)
+if(LOOKOUT_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR}
+      CCACHE_SLOPPINESS=pch_defines,time_macros ${LOOKOUT_CCACHE})
+endif()
+
+# lookout_precompile(TARGET OWNER [HEADER...]) parses the headers that nearly every source includes once for all
+# targets with the same flags: OWNER, the first of them, holds them and the others take them from it.
+# -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without, and so shows a source that forgets an include.
+set(LOOKOUT_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <functional> <limits> <map> <memory> <numbers>
+    <optional> <span> <stdexcept> <string> <string_view> <utility> <vector> <Eigen/Cholesky> <Eigen/Core> <Eigen/LU>)
+function(lookout_precompile target owner)
+  if(target STREQUAL owner)
+    target_precompile_headers(${target} PRIVATE ${LOOKOUT_COMMON_HEADERS} ${ARGN})
+  else()
+    target_precompile_headers(${target} REUSE_FROM ${owner})
+  endif()
+endfunction()
+
 # lookout_library(NAME SOURCES... ) declares the folder's library target lookout_NAME with alias lookout::NAME.
 function(lookout_library name)
   add_library(lookout_${name} STATIC ${ARGN})
@@ -25,6 +47,7 @@ function(lookout_library name)
   target_compile_features(lookout_${name} PUBLIC cxx_std_20)
   target_include_directories(lookout_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lookout>)
+  lookout_precompile(lookout_${name} lookout_core)
   set_property(GLOBAL APPEND PROPERTY LOOKOUT_LIBRARIES lookout_${name})
 endfunction()
 
@@ -35,6 +58,7 @@ function(lookout_tests name)
   target_include_directories(${name}_tests PRIVATE ${PROJECT_SOURCE_DIR})
   # Test code is compiled for quick builds; the libraries that it exercises keep the build type's optimisation.
   target_compile_options(${name}_tests PRIVATE $<$<CONFIG:Release>:-O1>)
+  lookout_precompile(${name}_tests core_tests <gtest/gtest.h>)
   # Tests run in the source folder and name its files relative to it, so that no object depends on where it lies.
   target_compile_definitions(${name}_tests PRIVATE LOOKOUT_SOURCE_DIR=".")
   gtest_discover_tests(${name}_tests TEST_PREFIX "${name}/" DISCOVERY_TIMEOUT 60
