@@ -33,9 +33,9 @@ VoteKernel VoteKernel::plain() {
   VoteKernel kernel;
   kernel.widths_.push_back({0.0, 0, kLanes, 0});
   kernel.max_length_ = kLanes;
-  kernel.values_.assign(static_cast<std::size_t>(kPhases * kLanes), 0);
+  kernel.values_.assign(std::size_t{kPhases} * kLanes, 0);
   for (int phase = 0; phase < kPhases; ++phase)
-    kernel.values_[static_cast<std::size_t>(phase * kLanes)] = kVoteUnit;
+    kernel.values_[static_cast<std::size_t>(phase) * kLanes] = kVoteUnit;
   return kernel;
 }
 

@@ -101,6 +101,7 @@ std::span<const core::MotionElement> RansacEstimator::update(const core::PosedSc
     const auto inliers = best_line(points);
     if (inliers.empty()) break;
     std::vector<core::Detection> own;
+    own.reserve(inliers.size());
     for (const std::size_t i : inliers) own.push_back(points[i]);
     report(own);
     for (auto i = inliers.rbegin(); i != inliers.rend(); ++i)
