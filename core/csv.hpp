@@ -21,15 +21,19 @@ class CsvTable {
   /// @throws InputError naming file and line: not readable, a column missing, or a row of another length.
   CsvTable(const std::string& path, std::span<const std::string_view> required);
 
-  std::size_t num_rows() const { return rows_.size(); }
-  bool has(std::string_view column) const;
+  std::size_t num_rows() const { return rows_.size(); }        ///< Rows below the header.
+  bool has(std::string_view column) const;                     ///< Whether the header names the column.
   bool empty(std::size_t row, std::string_view column) const;  ///< Whether the field is blank.
 
   /// The field as a finite number. @throws InputError naming file, line and column otherwise.
   double number(std::size_t row, std::string_view column) const;
+  /// The field as a whole number. @throws InputError naming file, line and column otherwise.
   std::int64_t integer(std::size_t row, std::string_view column) const;
+  /// The field as it stands; valid as long as the table. @throws InputError where the header lacks the
+  /// column.
   const std::string& text(std::size_t row, std::string_view column) const;
 
+  /// Refuses a field: throws InputError `FILE:LINE: COLUMN MESSAGE`.
   [[noreturn]] void fail(std::size_t row, std::string_view column, const std::string& message) const;
 
  private:
@@ -52,12 +56,13 @@ class CsvWriter {
   CsvWriter(const CsvWriter&) = delete;
   CsvWriter& operator=(const CsvWriter&) = delete;
 
-  CsvWriter& number(double value);
-  CsvWriter& integer(std::int64_t value);
+  CsvWriter& number(double value);         ///< Appends a number in its shortest round-trip form.
+  CsvWriter& integer(std::int64_t value);  ///< Appends a whole number.
+  /// Appends a text as it is; it must hold neither comma nor line break.
   CsvWriter& text(std::string_view value);
-  CsvWriter& blank();
-  void end_row();
-  void close();  ///< Flushes and renames. @throws std::runtime_error where the disk refuses.
+  CsvWriter& blank();  ///< Appends an empty field.
+  void end_row();      ///< Ends the row. Fields are not counted against the header.
+  void close();        ///< Flushes and renames. @throws std::runtime_error where the disk refuses.
 
  private:
   void separate();

@@ -13,7 +13,7 @@ struct SonarPoint {
   double bearing = 0.0;   ///< [rad], positive to starboard of the sonar axis, in (-pi, pi].
   int beam = -1;          ///< The beam it lies in, -1 outside the sector.
   bool in_range = false;  ///< Range in (0, max_range].
-  bool visible() const { return beam >= 0 && in_range; }
+  bool visible() const { return beam >= 0 && in_range; }  ///< Inside the sector and the range.
 };
 
 /// The geometry of a scan (it wins over configuration) as sonar params; accuracy and probabilities from

@@ -31,9 +31,11 @@ Eigen::Vector2d from_polar(double range, double bearing);
 /// Angle in (-pi, pi].
 double wrap_to_pi(double angle);
 
+/// Degrees as radians.
 inline constexpr double radians(double degrees) {
   return degrees * std::numbers::pi / 180.0;
 }
+/// Radians as degrees.
 inline constexpr double degrees(double radians) {
   return radians * 180.0 / std::numbers::pi;
 }
@@ -42,7 +44,7 @@ inline constexpr double degrees(double radians) {
 inline constexpr double seconds(std::int64_t utime) {
   return static_cast<double>(utime) * 1e-6;
 }
-std::int64_t microseconds(double seconds);
+std::int64_t microseconds(double seconds);  ///< Seconds as microseconds, rounded to the nearest.
 
 /// Largest |utime| that is taken from outside [us], 285 years: exact as a double, and differences cannot
 /// overflow.

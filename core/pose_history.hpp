@@ -40,8 +40,8 @@ class PoseHistory {
   bool reaches(std::int64_t utime) const;
 
   std::optional<std::int64_t> newest() const;  ///< Time of the newest state [us].
-  std::size_t size() const;
-  void clear();
+  std::size_t size() const;                    ///< How many states are kept.
+  void clear();                                ///< Forgets every state.
 
  private:
   struct Impl;

@@ -21,7 +21,7 @@ class Random {
  public:
   using result_type = std::uint32_t;
 
-  explicit Random(std::uint64_t seed);
+  explicit Random(std::uint64_t seed);  ///< A generator of this seed alone, in no stream.
   /// The generator of one (seed, stream, index): run k of an experiment, scan k of a tracker.
   Random(std::uint64_t seed, RandomStream stream, std::uint64_t index = 0);
   ~Random();
@@ -38,7 +38,8 @@ class Random {
   void reseed(std::uint64_t seed, RandomStream stream, std::uint64_t index);
 
   result_type operator()();
-  static constexpr result_type min() { return 0; }
+  static constexpr result_type min() { return 0; }  ///< Least value of `operator()`.
+  /// Greatest value of `operator()`.
   static constexpr result_type max() { return std::numeric_limits<result_type>::max(); }
 
  private:

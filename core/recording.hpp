@@ -32,24 +32,27 @@ void write_recording(const std::string& directory, const Recording& recording);
 
 /// Tracks at one scan time.
 struct TrackList {
-  std::int64_t utime = 0;
-  std::vector<Track> tracks;
+  std::int64_t utime = 0;     ///< Scenario time [us].
+  std::vector<Track> tracks;  ///< In the order of the file; empty where nothing was tracked.
 };
 
 /// tracks.csv, one row a track and time. `read_tracks` needs time_s,id,north_m,east_m alone; groups rows by
 /// time.
 void write_tracks(const std::string& path, const std::vector<TrackList>& lists);
+/// Reads tracks.csv. @throws InputError naming file, line and column.
 std::vector<TrackList> read_tracks(const std::string& path);
 
 /// truth.csv alone; needs time_s,id,north_m,east_m, takes the rest where present (visible where absent).
 std::vector<GroundTruth> read_truth(const std::string& path);
+/// Writes truth.csv alone. @throws std::runtime_error where the disk refuses.
 void write_truth(const std::string& path, const std::vector<GroundTruth>& truth);
 
 /// Motion elements at one scan time, and elements.csv of them.
 struct ElementList {
-  std::int64_t utime = 0;
-  std::vector<MotionElement> elements;
+  std::int64_t utime = 0;               ///< Scenario time [us].
+  std::vector<MotionElement> elements;  ///< Empty where nothing was found.
 };
+/// Writes elements.csv, one row an element. @throws std::runtime_error where the disk refuses.
 void write_elements(const std::string& path, const std::vector<ElementList>& lists);
 
 }  // namespace lookout::core

@@ -12,8 +12,10 @@ class SequenceGaps {
   static constexpr std::int64_t kLargestLoss =
       100'000;  ///< Numbers skipped at once that still count as lost.
 
+  /// How a number follows the one before: the next, the same, ahead with a loss, or begun anew.
   enum class Step { in_order, repeated, gap, restart };
 
+  /// Takes the next sequence number and says how it follows the one before; the first is in order.
   Step add(std::int64_t sequence) {
     const std::optional<std::int64_t> last = last_;
     last_ = sequence;

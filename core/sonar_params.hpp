@@ -40,6 +40,7 @@ struct SonarParams {
   bool point_sensor() const { return clutter_per_scan.has_value(); }
   /// Bearings [rad] of the sector's two edges, half a step outside the outer beams' centres.
   double left_edge() const { return first_bearing - 0.5 * bearing_step; }
+  /// Bearing of the sector's right edge [rad].
   double right_edge() const { return left_edge() + num_beams * bearing_step; }
   /// The beam whose centre is nearest to `bearing`, or -1 outside the sector.
   int beam_of(double bearing) const;

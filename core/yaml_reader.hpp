@@ -10,15 +10,15 @@ namespace lookout::core {
 
 /// Which numbers a key accepts; both ends included unless `open_min` says that the lower one is not.
 struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-  bool open_min = false;
+  double min = -std::numeric_limits<double>::infinity();  ///< Least value.
+  double max = std::numeric_limits<double>::infinity();   ///< Greatest value.
+  bool open_min = false;                                  ///< Whether `min` itself is refused.
 };
 
-inline constexpr Range kAnyNumber{};
-inline constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true};
-inline constexpr Range kNotNegative{0.0};
-inline constexpr Range kProbability{0.0, 1.0};
+inline constexpr Range kAnyNumber{};  ///< Every finite number.
+inline constexpr Range kPositive{0.0, std::numeric_limits<double>::infinity(), true};  ///< Above 0.
+inline constexpr Range kNotNegative{0.0};                                              ///< 0 or above.
+inline constexpr Range kProbability{0.0, 1.0};                                         ///< From 0 to 1.
 
 /// A YAML mapping read strictly: the keys that are asked for are the keys that are accepted, and `finish`
 /// refuses the rest. Every error is an InputError that names file, line, column and key, and says what is
@@ -35,10 +35,15 @@ class YamlMap {
   /// The value of `key`, or `fallback` where it is absent.
   /// @throws InputError on a value of another kind, not finite or out of range.
   double number(const std::string& key, double fallback, const Range& range = kAnyNumber) const;
+  /// The value of `key`; nothing where it is absent. @throws InputError as `number`.
   std::optional<double> optional_number(const std::string& key, const Range& range = kAnyNumber) const;
+  /// The value of `key`. @throws InputError as `number`, and where it is absent.
   double required_number(const std::string& key, const Range& range = kAnyNumber) const;
+  /// The value of `key` as a whole number, or `fallback`. @throws InputError as `number`.
   int integer(const std::string& key, int fallback, const Range& range = kAnyNumber) const;
+  /// The value of `key`, true or false, or `fallback`. @throws InputError on anything else.
   bool flag(const std::string& key, bool fallback) const;
+  /// The value of `key` as it stands, or `fallback`. @throws InputError on a list or a mapping.
   std::string text(const std::string& key, const std::string& fallback) const;
   /// One of `accepted`.
   std::string choice(const std::string& key, const std::string& fallback,

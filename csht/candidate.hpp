@@ -15,9 +15,10 @@ struct Candidate {
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`.
   std::array<int, kMaxWindowScans> own = none();         ///< Per scan the index of its sample, -1 for none.
   int support = 0;                                       ///< How many scans have a sample of its own.
-  double log_evidence = 0.0;
+  double log_evidence = 0.0;  ///< Log evidence for a target against clutter [nats].
   bool offered = false;  ///< Comes from a confirmed track; once accepted: would not have been without it.
 
+  /// No sample in any scan.
   static constexpr std::array<int, kMaxWindowScans> none() {
     std::array<int, kMaxWindowScans> own{};
     own.fill(-1);

@@ -8,6 +8,7 @@
 
 namespace lookout::csht {
 
+/// When a candidate is a target, and what its evidence takes for granted.
 struct CountDecisionParams {
   double min_evidence = 0.5;         ///< Log evidence that a new target needs.
   double offered_evidence = -3.0;    ///< The same of a candidate that a confirmed track offered.

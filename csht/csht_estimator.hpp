@@ -13,7 +13,7 @@ namespace lookout::csht {
 
 /// The vote matrix of one axis and what the clustering made of it, for a picture.
 struct VoteSnapshot {
-  HoughGrid grid;
+  HoughGrid grid;               ///< Its cells.
   double threshold = 0.0;       ///< lambda [votes].
   std::vector<VoteCell> cells;  ///< All cells with votes; those above `threshold` were clustered.
   std::vector<Line> classes;    ///< Centres of the patterns.

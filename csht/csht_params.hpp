@@ -23,9 +23,9 @@ struct CshtParams {
   double speed_prior = 0.0;  ///< Standard deviation of a target's velocity on each axis before it is heard,
                              ///< in the sensor's max_speed; 0: no prior in the fit.
   VoteParams votes;
-  LineClassesParams classes;
-  SpatialCorrelationParams correlation;
-  SingleLineParams single_line;
+  LineClassesParams classes;             ///< How cells become classes of lines.
+  SpatialCorrelationParams correlation;  ///< Which north and east lines belong together.
+  SingleLineParams single_line;          ///< Which classes are one line.
   RefitParams refit;  ///< Its max_speed comes from `top_speed`, its velocity_sigma from `speed_prior`.
   CountDecisionParams decision;  ///< Its prior_speed and velocity_sigma likewise.
 

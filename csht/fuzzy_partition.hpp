@@ -9,8 +9,8 @@ namespace lookout::csht {
 
 /// A point of the plane of features, each axis in grid steps.
 struct FeaturePoint {
-  float x = 0.0F;
-  float y = 0.0F;
+  float x = 0.0F;  ///< First feature [grid steps].
+  float y = 0.0F;  ///< Second feature [grid steps].
 };
 
 /// Points with weights, one weighted sample per cell of the vote matrix: the v'_ij equal samples of [Yan2018]
@@ -19,16 +19,20 @@ class WeightedPoints {
  public:
   static constexpr int kBlock = 16;  ///< Points that are worked on together.
 
-  void clear();
-  void push_back(FeaturePoint point, float weight);
+  void clear();                                      ///< Forgets all points and keeps the memory.
+  void push_back(FeaturePoint point, float weight);  ///< Adds a point of weight >= 0; not after `pad`.
   void pad();  ///< Completes the last block; call after the last `push_back`.
 
   int size() const { return size_; }  ///< Without padding.
+  /// Whole blocks, padding included after `pad`.
   int num_blocks() const { return static_cast<int>(x_.size()) / kBlock; }
+  /// First features of a block, kBlock values.
   const float* x(int block) const { return x_.data() + first(block); }
+  /// Second features of a block, kBlock values.
   const float* y(int block) const { return y_.data() + first(block); }
+  /// Weights of a block, kBlock values.
   const float* weight(int block) const { return weight_.data() + first(block); }
-  double total_weight() const { return total_weight_; }
+  double total_weight() const { return total_weight_; }  ///< Sum of the weights.
   /// Weighted mean of the points; they must have weight.
   FeaturePoint mean() const;
 

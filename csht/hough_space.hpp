@@ -29,9 +29,10 @@ struct VoteParams {
 struct VoteCell {
   double velocity = 0.0;   ///< [m/s].
   double intercept = 0.0;  ///< At the reference time asked for [m].
-  double votes = 0.0;
+  double votes = 0.0;      ///< Weight of the votes, 1 a sample at its best.
 };
 
+/// What the vote matrix holds as a whole.
 struct VoteStatistics {
   double peak = 0.0;  ///< Most votes in a cell.
   double mean = 0.0;  ///< Of the cells that have votes.
@@ -50,21 +51,23 @@ class HoughSpace {
   /// @throws std::invalid_argument on a grid or votes out of range.
   HoughSpace(const HoughGrid& grid, const VoteParams& params, double range_sigma, double max_sigma);
 
-  void clear();
+  void clear();  ///< Takes all votes back and keeps the memory.
   /// Adds the votes of samples, those of one scan in a row (at most 120 scans in all).
   void add(std::span<const LineSample> samples) { vote(samples, +1); }
   /// Takes votes back: the samples of whole scans, as they were added.
   void remove(std::span<const LineSample> samples) { vote(samples, -1); }
 
+  /// Over all cells. [Yan2018] Eq. (17).
   VoteStatistics statistics() const;
 
   /// The cells with more than `threshold` votes, as lines through intercept at `time` [s], where the
   /// intercepts lie within half the grid's extent of `centre` [m]. [Yan2018] Eq. (17).
   void cells_above(double threshold, double time, double centre, std::vector<VoteCell>& cells) const;
 
-  int rows() const { return rows_; }
-  int columns() const { return columns_; }
-  const HoughGrid& grid() const { return grid_; }
+  int rows() const { return rows_; }               ///< Velocity cells.
+  int columns() const { return columns_; }         ///< Intercept cells of the ring, a power of two.
+  const HoughGrid& grid() const { return grid_; }  ///< As given.
+  /// Velocity of a row [m/s].
   double velocity(int row) const { return first_velocity_ + row * grid_.velocity_step; }
 
  private:

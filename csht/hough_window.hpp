@@ -18,7 +18,7 @@ struct WindowScan {
   double time = 0.0;          ///< Since the window's anchor [s].
   core::Pose2 T_earth_sonar;  ///< Pose of the sonar.
   int first_sample = 0;       ///< Of its samples in `HoughWindow::samples()`.
-  int num_samples = 0;
+  int num_samples = 0;        ///< How many samples it has; 0 of an empty scan.
 };
 
 /// A detection of the window with the accuracy of its sensor.
@@ -52,6 +52,7 @@ class HoughWindow {
   /// Takes the next scan, and forgets the oldest where the window is full.
   void add(const core::PosedScan& scan);
 
+  /// Whether the next scan pushes the oldest out.
   bool full() const { return static_cast<int>(scans_.size()) == window_scans_; }
   std::span<const WindowScan> scans() const { return scans_; }        ///< The oldest first.
   std::span<const WindowSample> samples() const { return samples_; }  ///< In the order of the scans.

@@ -12,10 +12,10 @@ namespace lookout::csht {
 
 /// How the clusters of a vote matrix are found.
 struct LineClassesParams {
-  PrimaryThresholdParams threshold;
-  FuzzyIsodataParams isodata;
-  double first_apart = 3.0;  ///< Least distance of two first classes [grid steps], >= 0.
-  int max_first = 20;        ///< K0, most first classes, > 0.
+  PrimaryThresholdParams threshold;  ///< Of the cells that are clustered.
+  FuzzyIsodataParams isodata;        ///< Of the clustering.
+  double first_apart = 3.0;          ///< Least distance of two first classes [grid steps], >= 0.
+  int max_first = 20;                ///< K0, most first classes, > 0.
 };
 
 /// The clustering statistic of one vote matrix: cells above the primary threshold, first classes at their
@@ -31,7 +31,7 @@ class LineClasses {
 
   /// The cells that the last call kept, by falling votes, and its threshold [votes].
   std::span<const VoteCell> kept_cells() const { return cells_; }
-  double threshold() const { return threshold_; }
+  double threshold() const { return threshold_; }  ///< Of the last call [votes].
 
  private:
   void keep_cells(const HoughSpace& space, double time, double centre);

@@ -14,6 +14,7 @@ namespace lookout::csht {
 /// those that shared them are fitted again to what is left. This merges duplicates and resolves crossings.
 class Ownership {
  public:
+  /// @throws std::invalid_argument on a parameter out of range.
   Ownership(const RefitParams& refit, const CountDecisionParams& decision);
 
   /// Forgets the targets; all samples of the window are free.
@@ -23,6 +24,7 @@ class Ownership {
   /// @return how many were accepted.
   int accept(std::vector<Candidate>& candidates, const HoughWindow& window);
 
+  /// In the order of acceptance; valid until the next `start`.
   std::span<const Candidate> accepted() const { return accepted_; }
   const std::vector<char>& free() const { return free_; }  ///< Per sample of the window.
 

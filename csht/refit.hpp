@@ -8,6 +8,7 @@
 
 namespace lookout::csht {
 
+/// How samples are chosen and a line is fitted to them.
 struct RefitParams {
   /// Added to the error when samples are chosen, round by round [m], >= 0: a coarse start finds its samples,
   /// the last round takes only what fits.

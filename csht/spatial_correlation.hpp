@@ -8,6 +8,7 @@
 
 namespace lookout::csht {
 
+/// Which lines of the two axes are one target.
 struct SpatialCorrelationParams {
   double gate = 2.5;    ///< Largest residual of a sample to its class's line, in the range sigma, > 0.
   int max_lines = 2;    ///< Lines of the second axis per class, > 0.

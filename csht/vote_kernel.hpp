@@ -12,7 +12,7 @@ inline constexpr int kVoteUnit = 256;
 /// How one sample votes in the cells of one row: `values[k]` for the k-th cell from `first` on.
 struct Footprint {
   int first = 0;  ///< First cell, relative to the cell that holds the sample's intercept.
-  std::span<const std::int16_t> values;
+  std::span<const std::int16_t> values;  ///< In units of 1/kVoteUnit vote; valid as long as the kernel.
 };
 
 /// Footprints of every width and every position of the intercept within its cell, computed once.
@@ -28,12 +28,13 @@ class VoteKernel {
   static constexpr int kLanes = 8;
 
   int width_index(double width) const;  ///< Of the nearest width below or at `width` [cells]; clamped.
+  /// The footprint of a width at one of the kPhases positions; indices in range, unchecked.
   Footprint at(int width_index, int phase) const {
     const Width& width = widths_[static_cast<std::size_t>(width_index)];
     const std::size_t start = width.offset + static_cast<std::size_t>(phase * width.length);
     return {width.first, {values_.data() + start, static_cast<std::size_t>(width.length)}};
   }
-  int max_length() const { return max_length_; }
+  int max_length() const { return max_length_; }  ///< Cells of the widest footprint.
 
  private:
   struct Width {

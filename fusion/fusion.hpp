@@ -26,13 +26,16 @@ class Fusion {
   /// @return confirmed and coasting global tracks; valid until the next call.
   std::span<const core::Track> update(std::int64_t utime);
 
+  /// Messages that ended so since the start.
   std::int64_t count(Intake outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
   std::int64_t restarts() const { return restarts_; }  ///< How often the common clock began anew.
   /// The global track that a local one supports, by the newest association; -1: none.
   std::int64_t global_of(std::int32_t node_id, std::int64_t track_id) const;
   /// The global tracks that the newest update found to be another: (ended, kept).
   std::span<const std::pair<std::int64_t, std::int64_t>> merged() const { return global_tracks_.merged(); }
+  /// As chosen by name; valid as long as the fusion.
   const FusionMethod& method() const { return *method_; }
+  /// The nodes' common clock; valid as long as the fusion.
   const FusionClock& clock() const { return clock_; }
 
  private:

@@ -6,6 +6,7 @@
 
 namespace lookout::fusion {
 
+/// Which time stamps belong to one clock.
 struct FusionClockParams {
   double tolerance = 5.0;  ///< Time stamps this far from the newest are late or early messages of one clock;
                            ///< farther ones tell of another clock [s], > 0. Own choice.
@@ -21,6 +22,7 @@ class FusionClock {
   /// @throws std::invalid_argument on a parameter out of range.
   explicit FusionClock(const FusionClockParams& params);
 
+  /// What the clock makes of one time stamp.
   struct Reading {
     std::optional<std::int64_t> utime;  ///< On the common clock [us]; nothing: refused.
     bool restarted = false;             ///< The common clock begins anew with this message.

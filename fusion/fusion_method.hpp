@@ -17,7 +17,7 @@ struct Contribution {
 
 /// A global track at the time of fusion and the tracklets that support it.
 struct TrackGroup {
-  std::int64_t global_id = 0;
+  std::int64_t global_id = 0;               ///< Of the global track.
   std::int64_t utime = 0;                   ///< Time of fusion [us].
   bool is_new = false;                      ///< Begun at this time: there is no prediction to compare with.
   Eigen::Vector4d previous{0, 0, 0, 0};     ///< Fused state of the last time, [Li2018] Eq. (15).
@@ -27,6 +27,7 @@ struct TrackGroup {
 
 /// The fused state of one group.
 struct FusedState {
+  /// North, east [m], north and east velocity [m/s] at the time of fusion.
   Eigen::Vector4d state{0, 0, 0, 0};
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Zero from methods that state none.
 };

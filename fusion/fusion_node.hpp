@@ -11,9 +11,10 @@
 
 namespace lookout::fusion {
 
+/// What the node is told; fusion.hpp and fusion_params.hpp say of what.
 struct FusionNodeParams {
   std::string channel_prefix;  ///< Of LOOKOUT_STATUS alone: the data channels are shared between vehicles.
-  FusionParams fusion;
+  FusionParams fusion;         ///< Of the fusion itself.
 };
 
 /// LOCAL_ESTIMATE of any number of nodes in, GLOBAL_TRACKS out: one list for each time that the nodes' common
@@ -27,7 +28,7 @@ class FusionNode {
   /// Works until a limit is reached; then publishes what still waits and a last status.
   void run(const lcmtypes::LoopLimits& limits);
 
-  const Fusion& fusion() const { return fusion_; }
+  const Fusion& fusion() const { return fusion_; }       ///< What the node feeds, for its counts.
   std::int64_t published() const { return published_; }  ///< Lists sent.
   std::int64_t refused() const;                          ///< Messages that changed nothing.
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "fusion/estimate_limits.hpp"
 #include "fusion/fusion_clock.hpp"
 #include "fusion/global_tracks.hpp"
 #include "fusion/learned_geometry.hpp"
-#include "fusion/estimate_limits.hpp"
 #include "fusion/local_track_store.hpp"
 #include "fusion/methods/central_kalman_fusion.hpp"
 #include "fusion/methods/support_degree_fusion.hpp"
@@ -22,15 +22,15 @@ namespace lookout::fusion {
 
 /// Everything that the fusion node can be told, nested by stage.
 struct FusionParams {
-  std::string method = "learned";  ///< One of `fusion_method_names()`.
-  EstimateLimits limits;
-  FusionClockParams clock;
-  LocalTrackStoreParams store;
-  AssociationParams association;
-  SupportDegreeParams support_degree;
-  LearnedGeometryParams learned;
-  KalmanModel kalman;
-  GlobalTracksParams global;
+  std::string method = "learned";            ///< One of `fusion_method_names()`.
+  EstimateLimits limits;                     ///< Which messages are plausible.
+  FusionClockParams clock;                   ///< Of the nodes' common time.
+  LocalTrackStoreParams store;               ///< Which local tracks are kept.
+  AssociationParams association;             ///< Which tracklets are one target.
+  SupportDegreeParams support_degree;        ///< Of `sdf` and `sdf_fixed`.
+  LearnedGeometryParams learned;             ///< Of `learned`.
+  KalmanModel kalman;                        ///< Of `central` and `ml`.
+  GlobalTracksParams global;                 ///< Which global tracks begin and end.
   tracking::LocalEstimateSenderParams link;  ///< Of each node, for `lookout track --publish-estimates`.
 };
 

@@ -14,6 +14,7 @@
 
 namespace lookout::fusion {
 
+/// When global tracks begin, end and become one.
 struct GlobalTracksParams {
   int birth_estimates = 2;   ///< Estimates of a local track before it may start a global one, >= 2.
                              ///< [Li2018]'s scene starts at the fourth.

@@ -10,6 +10,7 @@
 
 namespace lookout::fusion {
 
+/// Parameters of LearnedGeometry.
 struct LearnedGeometryParams {
   double range_sigma = 3.0;     ///< Where learning begins, along the line of sight [m], > 0. Sonar's own.
   double bearing_sigma = 0.01;  ///< Where learning begins, across it [rad], > 0. docs/fusion.md.

@@ -17,6 +17,7 @@ class LocalTrack {
  public:
   static constexpr std::size_t kMemory = 8;  ///< Estimates kept, for the bounds that replay a track's start.
 
+  /// Begins with one estimate: a candidate.
   explicit LocalTrack(const LocalEstimate& first) { append(first); }
 
   /// Adds an estimate later than all before it.
@@ -35,10 +36,11 @@ class LocalTrack {
   std::size_t size() const { return heard_ < kMemory ? heard_ : kMemory; }  ///< Estimates kept, >= 1.
   /// Estimate `age` places before the newest, age < size().
   const LocalEstimate& back(std::size_t age) const { return kept_[(heard_ - 1 - age) % kMemory]; }
-  const LocalEstimate& newest() const { return back(0); }
+  const LocalEstimate& newest() const { return back(0); }  ///< The estimate heard last.
   /// Node id and track id.
   std::pair<std::int32_t, std::int64_t> key() const { return {newest().node_id, newest().track_id}; }
 
+  /// Whether two estimates make it a tracklet, [Li2018] Eq. (2).
   bool is_tracklet() const { return heard_ >= 2; }
   /// From the tracklet's older position to its newer [m]; zero of a candidate.
   Eigen::Vector2d displacement() const {

@@ -10,8 +10,9 @@ namespace lookout::fusion {
 
 /// What became of a message.
 enum class Intake { accepted, implausible, duplicate, out_of_order, clock, no_covariance, too_many };
-inline constexpr std::size_t kNumIntakes = 7;
+inline constexpr std::size_t kNumIntakes = 7;  ///< Outcomes of `Intake`.
 
+/// Which estimates make a tracklet, and how long a track is remembered.
 struct LocalTrackStoreParams {
   double max_gap = 5.0;  ///< Longest time between the two estimates of a tracklet [s], > 0. docs/fusion.md.
   double max_age = 5.0;  ///< An estimate older than this has no vote [s], > 0. Own choice.
@@ -43,8 +44,8 @@ class LocalTrackStore {
   /// Forgets tracks that have been silent for long.
   void forget_silent(std::int64_t utime);
 
-  const Tracks& tracks() const { return tracks_; }
-  void clear();
+  const Tracks& tracks() const { return tracks_; }  ///< By (node id, track id).
+  void clear();                                     ///< Forgets every track.
 
  private:
   /// How a node takes turns with its tracks.

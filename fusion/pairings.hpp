@@ -38,7 +38,7 @@ class Pairings {
   void rename(std::int64_t ended, std::int64_t kept);
   /// Forgets local tracks that the store has forgotten.
   void forget_unknown(const LocalTrackStore::Tracks& known);
-  void clear() { pairings_.clear(); }
+  void clear() { pairings_.clear(); }  ///< Forgets every pairing.
 
  private:
   struct Pairing {

@@ -12,6 +12,7 @@ inline void require(const std::string& name, double value, bool holds, const std
   if (!holds) throw std::invalid_argument(name + " must be " + range + ", got " + core::shortest(value));
 }
 
+/// @throws std::invalid_argument "NAME must be > 0, got VALUE" unless it is.
 inline void require_positive(const std::string& name, double value) {
   require(name, value, value > 0.0, "> 0");
 }

@@ -13,8 +13,9 @@ namespace lookout::fusion {
 /// targets.
 enum class AssociationRule { max, one_to_one };
 
+/// How near a tracklet must be to a global track.
 struct AssociationParams {
-  AssociationRule rule = AssociationRule::one_to_one;
+  AssociationRule rule = AssociationRule::one_to_one;  ///< The paper's rule or the one-to-one assignment.
   double position_scale =
       5.0;                   ///< u_max of the distance [m], > 0. docs/fusion.md: about the targets' spacing.
   double speed_scale = 1.0;  ///< u_max of the speed difference [m/s], > 0. docs/fusion.md: 0.4 x speed.
@@ -57,7 +58,7 @@ class TrackAssociation {
                                     std::span<const Eigen::Vector4d> globals,
                                     std::span<const PastSupport> before);
 
-  const AssociationParams& params() const { return params_; }
+  const AssociationParams& params() const { return params_; }  ///< As given.
 
  private:
   /// A state as the membership sees it.

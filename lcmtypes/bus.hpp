@@ -25,6 +25,7 @@ class Bus {
   static constexpr std::size_t kLargestMessage = 65'499;  ///< One datagram [bytes].
   static constexpr int kQueueCapacity = 1000;             ///< Messages that wait per subscription.
 
+  /// How waiting for a message ended.
   enum class Heard {
     message,  ///< At least one message was handled.
     nothing,  ///< The time ran out, or a signal came.
@@ -41,6 +42,8 @@ class Bus {
     inbox_.on<Wire>(channel, std::move(handler));
     listen(channel);
   }
+  /// Calls `handler` with the bytes of each message as they came, unchecked; valid until it returns.
+  /// @throws BusError where LCM refuses.
   void subscribe_bytes(const std::string& channel,
                        std::function<void(std::span<const std::uint8_t>)> handler);
 
@@ -60,8 +63,8 @@ class Bus {
   Heard handle_for(std::chrono::milliseconds timeout);  ///< Waits for a message and handles it.
   Heard drain();  ///< Handles what has arrived; never waits. Stops after kQueueCapacity messages.
 
-  const Inbox& inbox() const { return inbox_; }
-  std::int64_t send_errors() const { return send_errors_; }
+  const Inbox& inbox() const { return inbox_; }              ///< What was received and refused, by channel.
+  std::int64_t send_errors() const { return send_errors_; }  ///< Messages that LCM did not take.
 
  private:
   void listen(const std::string& channel);

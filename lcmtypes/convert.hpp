@@ -37,8 +37,8 @@ inline constexpr std::size_t kMaxPixels = 32700;  ///< Beams x bins of an image 
 /// A message as core type, or the reason why it was refused.
 template <class Core>
 struct Converted {
-  std::optional<Core> value;
-  std::string_view refusal;  ///< Empty where there is a value.
+  std::optional<Core> value;  ///< Nothing where the message was refused.
+  std::string_view refusal;   ///< Empty where there is a value.
 };
 
 /// The scan that a result belongs to.
@@ -50,41 +50,49 @@ struct ScanKey {
 
 /// Tracks with the scan that they belong to.
 struct KeyedTracks {
-  ScanKey key;
-  std::vector<core::Track> tracks;
+  ScanKey key;                      ///< Of the scan that they belong to.
+  std::vector<core::Track> tracks;  ///< At the scan's time.
 };
 
 /// Motion elements with the scan that they belong to and the estimator that found them.
 struct KeyedElements {
-  ScanKey key;
-  core::EstimatorMethod method = core::EstimatorMethod::csht;
-  int window_scans = 0;
-  std::vector<core::MotionElement> elements;
+  ScanKey key;                                                 ///< Of the scan that they belong to.
+  core::EstimatorMethod method = core::EstimatorMethod::csht;  ///< Which estimator found them.
+  int window_scans = 0;                                        ///< Scans in its full window.
+  std::vector<core::MotionElement> elements;                   ///< At the scan's time.
 };
 
 /// The sensor's figures with the scan after which they hold.
 struct KeyedSensorEstimate {
-  ScanKey key;
-  core::SensorEstimate estimate;
+  ScanKey key;                    ///< Of the scan after which the figures hold.
+  core::SensorEstimate estimate;  ///< With their standard deviations.
 };
 
 /// A message made from a list, and how many entries found no room in it.
 template <class Wire>
 struct Listed {
-  Wire message;
-  std::size_t left_out = 0;
+  Wire message;              ///< Ready to send.
+  std::size_t left_out = 0;  ///< Entries beyond kMaxListed.
 };
 
+/// Refuses a time out of range and a value that is not finite.
 Converted<core::VehicleState> to_core(const vehicle_state_t& wire);
+/// Refuses counts, sizes and geometry that are not those of a scan, and a header that is not finite.
 Converted<core::SonarScan> to_core(const sonar_scan_t& wire);
+/// Refuses counts, sizes and geometry that are not those of an image, and values that are not finite.
 Converted<core::SonarImage> to_core(const sonar_image_t& wire);
+/// Refuses too many targets, a count that the list does not have, and values that are not finite.
 Converted<core::GroundTruth> to_core(const ground_truth_t& wire);
+/// Refuses a method that is none, a count that the list does not have, and values that are not finite.
 Converted<KeyedElements> to_core(const motion_elements_t& wire);
+/// Refuses a status that is none, a count that the list does not have, and values that are not finite.
 Converted<KeyedTracks> to_core(const track_list_t& wire);
+/// Refuses a probability or a standard deviation that is none.
 Converted<KeyedSensorEstimate> to_core(const sensor_estimate_t& wire);
+/// Refuses a covariance of other than 0 or 16 numbers, and values that are not finite.
 Converted<core::LocalEstimate> to_core(const local_estimate_t& wire);
 
-vehicle_state_t to_wire(const core::VehicleState& state);
+vehicle_state_t to_wire(const core::VehicleState& state);  ///< Field by field; cannot fail.
 /// @throws std::length_error above kMaxReturns.
 sonar_scan_t to_wire(const core::SonarScan& scan);
 /// Intensities become integers in steps of the largest magnitude / 32767.
@@ -97,7 +105,9 @@ Listed<motion_elements_t> to_wire(const ScanKey& key, core::EstimatorMethod meth
                                   std::span<const core::MotionElement> elements);
 /// Of more than kMaxListed tracks the most probable, in their order.
 Listed<track_list_t> to_wire(const ScanKey& key, std::span<const core::Track> tracks);
+/// Field by field; cannot fail.
 sensor_estimate_t to_wire(const ScanKey& key, const core::SensorEstimate& estimate);
+/// Field by field; without covariance where the estimate has none.
 local_estimate_t to_wire(const core::LocalEstimate& estimate);
 
 }  // namespace lookout::lcmtypes

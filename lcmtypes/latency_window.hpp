@@ -8,8 +8,9 @@ namespace lookout::lcmtypes {
 /// Percentiles of the newest latencies, in fixed memory.
 class LatencyWindow {
  public:
-  static constexpr std::size_t kKept = 1000;
+  static constexpr std::size_t kKept = 1000;  ///< Latencies that are kept.
 
+  /// Takes a latency [ms]; the oldest goes where the window is full.
   void add(double milliseconds) {
     kept_[num_added_ % kKept] = milliseconds;
     ++num_added_;

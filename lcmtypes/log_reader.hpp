@@ -11,9 +11,9 @@ namespace lookout::lcmtypes {
 
 /// One message of an LCM log; its bytes are valid until the next is read.
 struct LoggedMessage {
-  std::string channel;
-  std::int64_t log_utime = 0;  ///< When it was recorded, wall clock [us].
-  std::span<const std::uint8_t> bytes;
+  std::string channel;                  ///< As recorded, prefix included.
+  std::int64_t log_utime = 0;           ///< When it was recorded, wall clock [us].
+  std::span<const std::uint8_t> bytes;  ///< The encoded message.
 };
 
 /// An LCM log read to its end. Damage in the middle is stepped over to the next event that can be read;

@@ -24,8 +24,11 @@ class StatusBoard {
   /// @param node_id of a vehicle's tracker; 0 of sim, score and fuse, which --wait-for does not count.
   StatusBoard(Bus& bus, std::string channel, std::string node, std::int32_t node_id);
 
+  /// Takes the latency of one scan [ms].
   void add_latency(double milliseconds) { latencies_.add(milliseconds); }
+  /// Percentile of the newest latencies [ms]; share in [0, 1].
   double latency(double share) const { return latencies_.percentile(share); }
+  /// Sends the figures with the latencies; `last_error` is for people's eyes.
   void publish(const NodeFigures& figures, const std::string& last_error);
 
  private:

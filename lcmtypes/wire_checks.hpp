@@ -11,6 +11,7 @@
 /// What the conversions ask of a number from outside.
 namespace lookout::lcmtypes {
 
+/// Whether no value is NaN or infinite.
 inline bool all_finite(std::initializer_list<double> values) {
   for (const double value : values) {
     if (!std::isfinite(value)) return false;
@@ -18,6 +19,7 @@ inline bool all_finite(std::initializer_list<double> values) {
   return true;
 }
 
+/// Whether no value is NaN or infinite.
 inline bool all_finite(const std::vector<double>& values) {
   for (const double value : values) {
     if (!std::isfinite(value)) return false;
@@ -25,10 +27,12 @@ inline bool all_finite(const std::vector<double>& values) {
   return true;
 }
 
+/// Whether a time [us] is within kMaxUtime.
 inline bool is_time(std::int64_t utime) {
   return utime >= -core::kMaxUtime && utime <= core::kMaxUtime;
 }
 
+/// Whether it lies in [0, 1]; NaN does not.
 inline bool is_probability(double value) {
   return value >= 0.0 && value <= 1.0;
 }

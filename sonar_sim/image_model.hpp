@@ -45,6 +45,7 @@ core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& pl
 
 /// Amplitude share of a target in beams and bins that are off by `bearing` [rad] and `range` [m]; 1 at 0, 0.
 double beam_response(const ImagePlan& plan, double bearing);
+/// Amplitude share in bins that are off by `range` [m]; 1 at 0.
 double pulse_response(const ImagePlan& plan, double range);
 
 /// Adds the complex echo of a target to `field`, laid out like an image's intensity.

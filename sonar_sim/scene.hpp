@@ -23,7 +23,7 @@ enum class ClutterReading {
 /// One sonar: what the estimators may be told of it, and what only the simulator knows.
 struct SonarPlan {
   core::SonarParams params;  ///< Both probabilities (or clutter_per_scan and miss_probability) are set.
-  ClutterReading clutter = ClutterReading::literal;
+  ClutterReading clutter = ClutterReading::literal;  ///< Which reading of the paper's false alarms.
   double echo_range_sigma =
       3.0;  ///< True standard deviation of a range [m], >= 0; usually params.range_sigma.
   bool quantise_bearing = true;  ///< Report a target at its beam's centre; off: at its true bearing.
@@ -31,13 +31,14 @@ struct SonarPlan {
 
 /// One vehicle with its sonar.
 struct PlatformPlan {
-  std::string channel_prefix;  ///< Of its LCM channels, e.g. "AUV1_".
-  std::int32_t node_id = 1;    ///< Of its tracker; unique in the scene.
-  VehiclePlan vehicle;
-  SonarPlan sonar;
+  std::string channel_prefix;      ///< Of its LCM channels, e.g. "AUV1_".
+  std::int32_t node_id = 1;        ///< Of its tracker; unique in the scene.
+  VehiclePlan vehicle;             ///< How it moves, and what its navigation gets wrong.
+  SonarPlan sonar;                 ///< What it carries.
   std::optional<ImagePlan> image;  ///< Where the scene asks for raw images beside the scans.
 };
 
+/// Everything that is simulated: for how long, with which vehicles, and what moves around them.
 struct Scene {
   double duration = 0.0;                ///< Scans at 0, period, 2 period, ... < duration [s].
   std::vector<PlatformPlan> platforms;  ///< At least one.

@@ -17,11 +17,11 @@ namespace lookout::sonar_sim {
 /// Everything that leaves one vehicle around one scan, in the order in which it arrives.
 struct SimulatedScan {
   std::vector<core::VehicleState> states_before;  ///< Navigation reports that arrive before the scan.
-  core::SonarScan scan;
-  std::optional<core::SonarImage> image;         ///< The same ping as raw intensity, where the scene asks.
-  std::vector<core::VehicleState> states_after;  ///< Reports that arrive between this scan and the next.
-  core::GroundTruth truth;                       ///< All scheduled targets; `visible` at the true pose.
-  core::Pose2 T_earth_sonar;                     ///< True pose of the sonar, which no tracker is told.
+  core::SonarScan scan;                           ///< As the sonar reports it.
+  std::optional<core::SonarImage> image;          ///< The same ping as raw intensity, where the scene asks.
+  std::vector<core::VehicleState> states_after;   ///< Reports that arrive between this scan and the next.
+  core::GroundTruth truth;                        ///< All scheduled targets; `visible` at the true pose.
+  core::Pose2 T_earth_sonar;                      ///< True pose of the sonar, which no tracker is told.
 };
 
 /// The front door of the simulator: one platform of a scene, scan by scan.
@@ -37,7 +37,8 @@ class SonarSimulator {
   /// The next scan; nothing once the scene is over.
   std::optional<SimulatedScan> next();
 
-  const Scene& scene() const { return scene_; }
+  const Scene& scene() const { return scene_; }  ///< As given.
+  /// The vehicle that is simulated.
   const PlatformPlan& platform() const { return scene_.platforms[platform_index_]; }
 
  private:

@@ -15,9 +15,10 @@
 
 namespace lookout::sonar_sim {
 
+/// What the node is told beside the scene.
 struct SimulatorNodeParams {
-  std::string channel_prefix;  ///< Before each vehicle's own.
-  std::uint64_t seed = 1;
+  std::string channel_prefix;         ///< Before each vehicle's own.
+  std::uint64_t seed = 1;             ///< Of every random draw.
   std::int64_t start_utime = 0;       ///< Scenario time of the first scan [us].
   std::optional<double> speed = 1.0;  ///< Times real time, > 0; nothing: as fast as the trackers follow.
   int wait_for = 0;                   ///< Nodes to hear on LOOKOUT_STATUS before the first scan, >= 0.

@@ -17,6 +17,7 @@ struct TargetPlan {
   double appear = 0.0;             ///< Present for appear <= t < disappear [s].
   double disappear = 1e9;          ///< [s], > appear.
 
+  /// Whether it is scheduled at `time` [s].
   bool present(double time) const { return time >= appear && time < disappear; }
 };
 

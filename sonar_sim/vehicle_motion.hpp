@@ -33,13 +33,14 @@ struct VehiclePlan {
   double yaw_swing = 0.0;           ///< Amplitude of a sinusoid on top of the heading [rad], >= 0.
   double yaw_period = 20.0;         ///< Of that sinusoid [s], > 0.
   double turn_rate = core::radians(10.0);  ///< Fastest change of heading at a waypoint [rad/s], > 0.
-  NavigationFaults navigation;
+  NavigationFaults navigation;             ///< What the reported states get wrong.
 };
 
 /// The vehicle's true state at any time. Positions follow the legs exactly; the heading swings to each leg's
 /// at no more than the turn rate.
 class VehicleMotion {
  public:
+  /// @throws std::invalid_argument on a plan out of range.
   explicit VehicleMotion(const VehiclePlan& plan);
 
   /// True state at `time` >= 0 [s]; utime is filled.

@@ -24,6 +24,7 @@ struct VideoScenario {
   double noise_level() const;  ///< Linear PDIM noise level.
   double contrast() const;     ///< Grey levels between sky and aircraft: (noise level x SNR)^2.
 };
+/// The eight scenarios of [Pakfiliz2018], in its order.
 const std::array<VideoScenario, 8>& video_scenarios();
 
 /// How the video is made harder than the paper's.
@@ -40,12 +41,13 @@ struct VideoStandInParams {
   double mover_area = 12.0;     ///< [px^2], > 0.
   double mover_offset = 5.0;  ///< Standard deviation per axis of where a mover crosses, from the target [px].
 };
-VideoStandInParams plain_video();
-VideoStandInParams hard_video();  ///< Jitter 1 px and three movers.
+VideoStandInParams plain_video();  ///< As the paper describes it: nothing harder.
+VideoStandInParams hard_video();   ///< Jitter 1 px and three movers.
 
 /// Axis-aligned box [px].
 struct PixelBox {
-  Eigen::Vector2d low{0, 0}, high{0, 0};
+  Eigen::Vector2d low{0, 0}, high{0, 0};  ///< Corners [px].
+  /// Whether the point lies in it, border included.
   bool contains(const Eigen::Vector2d& p) const {
     return p.x() >= low.x() && p.x() <= high.x() && p.y() >= low.y() && p.y() <= high.y();
   }
@@ -65,11 +67,11 @@ class VideoStandIn {
   /// @throws std::invalid_argument where a parameter is out of range.
   VideoStandIn(const VideoScenario& scenario, const VideoStandInParams& params, core::Random& random);
 
-  const VideoScenario& scenario() const { return scenario_; }
-  int num_samples() const { return params_.num_samples; }
+  const VideoScenario& scenario() const { return scenario_; }  ///< As given.
+  int num_samples() const { return params_.num_samples; }      ///< Samples of the video.
   /// Aircraft centre at sample k (frame k * frame_step) [px] and its mean velocity there [px/frame].
   Eigen::Vector2d position(int sample) const;
-  Eigen::Vector2d velocity(int sample) const;
+  Eigen::Vector2d velocity(int sample) const;  ///< Mean velocity of the aircraft at sample k [px/frame].
   /// Renders sample k; camera noise and jitter come from `random`.
   VideoSample render(int sample, core::Random& random) const;
 

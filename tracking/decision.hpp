@@ -5,6 +5,7 @@
 
 namespace lookout::tracking {
 
+/// What a tracker may decide about a track; `withdraw` takes a confirmation back.
 enum class DecisionKind { begin, confirm, withdraw, coast, resume, manoeuvre, straighten, merge, end };
 
 /// "begin", "confirm", ...
@@ -12,9 +13,9 @@ const char* to_string(DecisionKind kind);
 
 /// One decision about a track, for people's eyes.
 struct TrackDecision {
-  std::int64_t utime = 0;  ///< Of the scan that decided [us].
-  std::int64_t track = 0;
-  DecisionKind kind = DecisionKind::begin;
+  std::int64_t utime = 0;                   ///< Of the scan that decided [us].
+  std::int64_t track = 0;                   ///< Identity of the track.
+  DecisionKind kind = DecisionKind::begin;  ///< What was decided.
   double evidence = 0.0;    ///< Log odds of existence [nats]; for a change of motion, in favour of it.
   const char* reason = "";  ///< A static text.
 };

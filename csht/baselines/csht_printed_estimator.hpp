@@ -17,10 +17,12 @@ struct CshtPrintedParams {
   int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
   double intercept_step = 5.0;   ///< h_n0 [m], > 0.
   double velocity_step = 0.1;    ///< h_v [m/s], > 0.
+  /// Of the cells that are clustered. [Yan2018] Eq. (17).
   PrimaryThresholdParams threshold{0.35, 0.0, 2.0, 0.0};
+  /// Of the clustering. [Yan2018] section III.
   FuzzyIsodataParams isodata{2.5, 0.3, 0.7, 0.4, 2.0, 1.0, 0.05};
-  int first_classes = 6;  ///< Spread evenly over the kept cells, > 0.
-  SingleLineParams single_line;
+  int first_classes = 6;         ///< Spread evenly over the kept cells, > 0.
+  SingleLineParams single_line;  ///< Which classes are one line.
 };
 
 /// The clustering statistic Hough transform as printed: raw votes in one cell each, intercepts at the start

@@ -9,6 +9,7 @@
 
 namespace lookout::csht {
 
+/// Parameters of RansacEstimator.
 struct RansacParams {
   int window_scans = 20;         ///< Scans in a full window, >= 3. [Yan2018] W.
   int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.

@@ -29,7 +29,7 @@ double blurred_log_ratio(const ScanTable& scan, const BeamMask* mask, const Eige
 
 /// In which beams a target at one position was, now that the scan is known.
 struct BeamShares {
-  int count = 0;
+  int count = 0;                                       ///< How many entries are filled.
   std::array<int, 2 * kMostBlurReach + 1> beam{};      ///< -1 or num_beams outside the sector.
   std::array<double, 2 * kMostBlurReach + 1> share{};  ///< Probabilities that sum to 1.
 };

@@ -83,8 +83,9 @@ inline float fast_atan2(float y, float x) {
   return y < 0.0F ? -angle : angle;
 }
 
+/// Sine and cosine of one angle.
 struct SinCos {
-  double sin, cos;
+  double sin, cos;  ///< Of one angle.
 };
 
 /// Sine and cosine for |x| < 1e6, double precision: whole half turns off, the rest by Taylor to degrees 15

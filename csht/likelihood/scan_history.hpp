@@ -19,22 +19,22 @@ class ScanHistory {
 
   /// The scan `age` scans before the newest, 0 <= age < size().
   const ScanTable& at_age(int age) const;
-  const ScanTable& newest() const { return at_age(0); }
+  const ScanTable& newest() const { return at_age(0); }  ///< The scan taken last; there must be one.
   /// Seconds from the scan of that age to the newest, negative or zero.
   double seconds_at_age(int age) const;
 
-  int size() const { return size_; }
-  int capacity() const { return static_cast<int>(tables_.size()); }
+  int size() const { return size_; }                                 ///< Scans kept.
+  int capacity() const { return static_cast<int>(tables_.size()); }  ///< Most scans that are kept.
   std::int64_t pushed() const { return pushed_; }  ///< Scans ever taken; names a scan as pushed() - 1 - age.
 
   /// Rewrites the figures of every table kept.
   void set_figures(const SensorFigures& figures);
-  const SensorFigures& figures() const { return figures_; }
-  const SensorModelParams& model() const { return model_; }
+  const SensorFigures& figures() const { return figures_; }  ///< As every table kept has them.
+  const SensorModelParams& model() const { return model_; }  ///< As given.
 
   /// Turns the scan of that age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error);
-  void clear();
+  void clear();  ///< Forgets every scan; `pushed` goes on.
 
  private:
   ScanTable& table_at(int age);

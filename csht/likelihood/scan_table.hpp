@@ -20,8 +20,9 @@ struct HeadingError {
 /// beams have one slot more at either end (slot = beam + 1): outside the sector nothing is learnt; where the
 /// sector is the whole circle, the slots repeat the beams across the seam.
 struct ScanTable {
-  std::int64_t utime = 0;
+  std::int64_t utime = 0;     ///< Scenario time of the scan [us].
   core::Pose2 T_earth_sonar;  ///< As stated, but for the mean of `heading_error`.
+  /// What is believed of the heading's error; nothing where it is taken for exact.
   std::optional<HeadingError> heading_error;
   double axis = 0.0;                      ///< Azimuth of the middle of the sector [rad].
   double cos_axis = 1.0, sin_axis = 0.0;  ///< Of `axis`.
@@ -29,18 +30,18 @@ struct ScanTable {
   double bearing_step = 0.0;              ///< [rad].
   double max_range = 0.0;                 ///< [m].
   double cos_half_sector = 0.0;           ///< Cosine of half the sector; -1 of the whole circle.
-  int num_beams = 0;
-  bool whole_circle = false;  ///< The sector closes on itself.
-  ClutterModel clutter = ClutterModel::exclusive_beam;
-  std::vector<core::Detection> detections;  ///< The valid returns, placed in the earth frame.
+  int num_beams = 0;                      ///< Without the two slots at the ends.
+  bool whole_circle = false;              ///< The sector closes on itself.
+  ClutterModel clutter = ClutterModel::exclusive_beam;  ///< How false returns come about.
+  std::vector<core::Detection> detections;              ///< The valid returns, placed in the earth frame.
 
   /// Likelihood ratio of a slot: base + gain exp(-(r - range)^2 / (2 sigma^2)). A silent slot has its range
   /// far away.
   std::vector<float> range;
-  std::vector<float> base;
+  std::vector<float> base;  ///< Likelihood ratio of a slot far from its return, 0 to 1.
   /// What the base gains, times the probability that noise takes the target's echo out of the range gate.
   std::vector<float> lost;
-  float gain = 0.0F;
+  float gain = 0.0F;           ///< Height of the return's peak above `base`.
   float inverse_sigma = 0.0F;  ///< [1/m].
   /// point alone: bearing of each detection from `axis` [rad].
   std::vector<float> bearing_from_axis;
@@ -53,6 +54,7 @@ struct ScanTable {
   float blur_heading = 0.0F;  ///< Standard deviation by the heading [beams].
   float blur_position = 0.0F;  ///< By the position, times the range [beams x m].
 
+  /// Whether the beam returned nothing; 0 <= beam < num_beams.
   bool silent(int beam) const { return range[static_cast<std::size_t>(beam) + 1] < 0.0F; }
 };
 

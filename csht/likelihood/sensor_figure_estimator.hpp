@@ -14,13 +14,15 @@ namespace lookout::csht {
 
 /// A target as far as the sensor's figures are concerned: equally likely trajectories at the newest scan.
 struct KnownTarget {
+  /// States north, east [m], north and east velocity [m/s] at the newest scan.
   std::span<const Eigen::Vector4d> samples;
-  double existence = 0.0;
+  double existence = 0.0;  ///< Probability that there is a target.
   /// For so many scans before the newest its trajectories are known to hold; it says nothing of older ones,
   /// where it may not have been there yet.
   int held_scans = std::numeric_limits<int>::max();
 };
 
+/// Parameters of SensorFigureEstimator.
 struct SensorFigureParams {
   double memory_scans = 600.0;  ///< Older scans count less, by e-folding, > 1.
   int settle_scans = 10;        ///< Scans after which a trajectory tells an echo from a miss, >= 1.
@@ -48,8 +50,9 @@ class SensorFigureEstimator {
 
   /// Whether the given figure is contradicted by the stream and therefore not used.
   bool doubts_miss_probability() const { return doubts_miss_; }
-  bool doubts_false_alarm_probability() const { return doubts_false_; }
-  bool doubts_range_sigma() const { return doubts_sigma_; }
+  bool doubts_false_alarm_probability() const { return doubts_false_; }  ///< Likewise of the false alarms.
+  bool doubts_range_sigma() const { return doubts_sigma_; }              ///< Likewise of the range error.
+  /// Whether any of the three is contradicted.
   bool doubts_any() const { return doubts_miss_ || doubts_false_ || doubts_sigma_; }
 
  private:

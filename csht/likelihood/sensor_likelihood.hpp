@@ -10,11 +10,11 @@ namespace lookout::csht {
 
 /// Hypothetical targets at a reference time, one array a component (earth frame, m and m/s), all of one size.
 struct HypothesisSpan {
-  std::span<const double> north;
-  std::span<const double> east;
-  std::span<const double> north_velocity;
-  std::span<const double> east_velocity;
-  std::size_t size() const { return north.size(); }
+  std::span<const double> north;                     ///< [m].
+  std::span<const double> east;                      ///< [m].
+  std::span<const double> north_velocity;            ///< [m/s].
+  std::span<const double> east_velocity;             ///< [m/s].
+  std::size_t size() const { return north.size(); }  ///< How many hypotheses.
 };
 
 /// Where each hypothesis, moved by `seconds` along its velocity, is seen from a scan: range [m], and bearing

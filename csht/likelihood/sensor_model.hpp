@@ -26,7 +26,7 @@ struct SensorFigures {
 
 /// How the likelihood reads a scan.
 struct SensorModelParams {
-  ClutterModel clutter = ClutterModel::exclusive_beam;
+  ClutterModel clutter = ClutterModel::exclusive_beam;  ///< How false returns come about.
   /// Lowest log-likelihood ratio of an echo that is not the target's, in [-50, 0). It stands for what the
   /// model leaves out; lower gains nothing, -3 doubles the false tracks (docs/scan_likelihood.md).
   double log_floor = -8.0;
@@ -43,6 +43,7 @@ ClutterModel clutter_model_of(const core::SonarParams& params);
 
 /// @throws std::invalid_argument showing the value that is out of range.
 void validate(const SensorFigures& figures);
+/// @throws std::invalid_argument showing the value that is out of range.
 void validate(const SensorModelParams& params);
 
 }  // namespace lookout::csht

@@ -15,6 +15,7 @@ enum class MutualSupport { a, b, c, d };
 /// Weights by how well the nodes' estimates agree with one another.
 class MutualSupportFusion final : public ScalarWeightFusion {
  public:
+  /// One of the paper's four variants, dw_a to dw_d.
   explicit MutualSupportFusion(MutualSupport variant) : variant_(variant) {}
 
  private:

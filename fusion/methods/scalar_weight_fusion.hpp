@@ -10,6 +10,7 @@ namespace lookout::fusion {
 /// components, without memory of the global track. [Li2018] Eq. (19).
 class ScalarWeightFusion : public FusionMethod {
  public:
+  /// The weighted mean of each group, without covariance; valid until the next call.
   std::span<const FusedState> fuse(std::span<const TrackGroup> groups) final;
 
  protected:

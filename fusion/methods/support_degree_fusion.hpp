@@ -14,8 +14,9 @@ namespace lookout::fusion {
 /// scan.
 enum class SupportReading { any, col, all };
 
+/// How the paper's support degrees are read where its text leaves it open.
 struct SupportDegreeParams {
-  SupportReading reading = SupportReading::any;
+  SupportReading reading = SupportReading::any;  ///< Which points' spread scales the degrees.
   double length_unit = 1000.0;  ///< Metres that weigh as one radian, > 0: 1000 (km) or 1 (m). docs/fusion.md.
   Eigen::Vector2d p_earth_origin{0, 0};  ///< Where rho is measured from: north, east [m].
 };

@@ -20,8 +20,9 @@ class GlobalNearestNeighbour {
 
   /// What is to be paired; tracks and detections that are false in `use_*` (one entry each) are left out.
   struct Scene {
-    std::span<const core::Track> tracks;  ///< Predicted to the time of the detections.
-    std::span<const core::Detection> detections;
+    std::span<const core::Track> tracks;          ///< Predicted to the time of the detections.
+    std::span<const core::Detection> detections;  ///< Earth frame, of one scan.
+    /// One entry a track and one a detection; 0 leaves it out.
     std::span<const char> use_track, use_detection;
   };
 

@@ -26,6 +26,7 @@ struct ElementGate {
 /// IV.
 class TrackToElement {
  public:
+  /// @throws std::invalid_argument on a gate that is not above 0.
   explicit TrackToElement(const ElementGate& gate);
 
   /// @param tracks predicted to the time of the elements.

@@ -17,6 +17,7 @@ namespace lookout::tracking {
 struct GnnParams {
   double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
   MotionModelParams motion;        ///< See there.
+  /// When a track is confirmed and when it ends.
   TrackLifeParams life{
       .confirm_hits = 6, .confirm_scans = 12, .max_misses = 8.0, .first_misses = 8.0, .misses_per_hit = 0.0};
 };

@@ -19,6 +19,7 @@ struct KalmanParams {
   /// Largest distance from a prediction to its detection [m], > 0: with this process noise the statistical
   /// gate of a track that was missed twice covers much of the sector.
   double gate_distance = 10.0;
+  /// When a track is confirmed and when it ends.
   TrackLifeParams life{
       .confirm_hits = 4, .confirm_scans = 8, .max_misses = 6.0, .first_misses = 6.0, .misses_per_hit = 0.0};
 };

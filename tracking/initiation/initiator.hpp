@@ -37,11 +37,12 @@ struct StartedTracks {
   /// Not empty: the window asks for more work than the method's documented bound; nothing was started.
   std::string refusal;
 
+  /// The indices of a track's plots in the window; valid until the next `clear`.
   std::span<const int> plots_of(const StartedTrack& track) const {
     return std::span(plots).subspan(static_cast<std::size_t>(track.first_plot),
                                     static_cast<std::size_t>(track.num_plots));
   }
-  void clear();
+  void clear();  ///< Forgets all and keeps the memory.
 };
 
 /// The front door of every track initiator: a window of scans in, the tracks that start in it out.
@@ -60,7 +61,7 @@ class Initiator {
 /// An initiator that looks for peaks over a grid of lines, and shows the votes of the last `start`.
 class HoughInitiator : public Initiator {
  public:
-  virtual const LineGrid& grid() const = 0;
+  virtual const LineGrid& grid() const = 0;  ///< The grid of the last `start`.
   /// All cells that hold votes, appended to `cells`; several layers of one cell stand one by one.
   virtual void append_cells(std::vector<LineVote>& cells) const = 0;
   /// Where the origin of `grid` lies in the frame of the plots [m].

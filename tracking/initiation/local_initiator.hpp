@@ -9,11 +9,12 @@
 
 namespace lookout::tracking {
 
+/// Parameters of LocalInitiator.
 struct LocalInitiatorParams {
-  int stride = 1;         ///< Every stride-th scan, counted back from the newest, is looked at, >= 1.
-  double margin = 0.0;    ///< How far errors of the plots widen the reach of a target [m], >= 0.
-  int window_scans = 10;  ///< Scans, thinned out or not, that a track must stand in, >= 3.
-  TrackVerifierParams verifier;
+  int stride = 1;                ///< Every stride-th scan, counted back from the newest, is looked at, >= 1.
+  double margin = 0.0;           ///< How far errors of the plots widen the reach of a target [m], >= 0.
+  int window_scans = 10;         ///< Scans, thinned out or not, that a track must stand in, >= 3.
+  TrackVerifierParams verifier;  ///< Of the course that a beginning must stand up as.
 
   /// @throws std::invalid_argument naming the value out of range.
   void validate() const;

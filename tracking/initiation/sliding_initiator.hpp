@@ -9,6 +9,7 @@
 
 namespace lookout::tracking {
 
+/// Parameters of SlidingInitiator.
 struct SlidingParams {
   int window_scans = 4;   ///< Scans that are looked at together, >= 2.
   bool follow = true;     ///< Started tracks go on claiming the plots that fit them.
@@ -24,6 +25,7 @@ struct SlidingParams {
 /// so that a target starts once: later plots are claimed by the tracks that they fit.
 class SlidingInitiator {
  public:
+  /// @throws std::invalid_argument on a parameter out of range.
   SlidingInitiator(std::unique_ptr<Initiator> initiator, const SlidingParams& params);
 
   /// Takes the next scan and looks for tracks in the window that ends with it.

@@ -10,6 +10,7 @@
 
 namespace lookout::tracking {
 
+/// When a started track is taken for a target.
 struct TrackVerifierParams {
   SpeedLimits speeds{0.0, 3.0};     ///< max finite.
   MotionModelParams motion;         ///< Of the refit.

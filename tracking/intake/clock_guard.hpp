@@ -17,12 +17,13 @@ struct ClockGuardParams {
 /// suspects in a row as `new_clock_after` follow one another, the stream is on a new clock.
 class ClockGuard {
  public:
+  /// The stamp is believed, it is not, or the last ones in a row make a new clock.
   enum class Verdict { in_order, suspect, new_clock };
 
   /// @throws std::invalid_argument on params out of range.
   explicit ClockGuard(const ClockGuardParams& params = {});
 
-  Verdict judge(std::int64_t utime);
+  Verdict judge(std::int64_t utime);  ///< Judges the stamp of the next message [us].
 
   std::optional<std::int64_t> last() const { return last_; }  ///< Newest time on the believed clock [us].
   int suspects() const { return num_suspects_; }              ///< In a row, the newest among them.

@@ -16,10 +16,11 @@
 
 namespace lookout::tracking {
 
+/// How long and how many pings wait for their pose.
 struct IntakeParams {
   std::int64_t max_wait = 1'000'000;  ///< How long a ping waits for its pose, in data time [us], >= 0.
   std::size_t max_waiting = 256;      ///< Pings that may wait at once, >= 1; bounds memory in a flood.
-  ClockGuardParams clock;
+  ClockGuardParams clock;             ///< Which stamps are believed.
 };
 
 /// What became of everything that came in since the start.
@@ -35,7 +36,7 @@ struct IntakeCounts {
   std::int64_t other_geometry = 0;   ///< Accepted pings whose geometry is not the configured one.
   std::int64_t bad_states = 0;       ///< Vehicle states damaged or out of time.
 
-  std::int64_t rejected() const { return no_pose + damaged + out_of_time; }
+  std::int64_t rejected() const { return no_pose + damaged + out_of_time; }  ///< All that were refused.
 };
 
 template <class Ping>
@@ -69,11 +70,12 @@ class PingIntake {
   /// @throws std::invalid_argument on params out of range.
   PingIntake(const core::SonarParams& configured, Sink sink, const IntakeParams& params = {});
 
+  /// Takes a vehicle state; hands on the pings that waited for it.
   void add(const core::VehicleState& state);
-  void add(Ping ping);
-  void finish();  ///< There is no more: what still waits for a pose will not get one.
+  void add(Ping ping);  ///< Takes a ping; hands it on at once where its pose is known.
+  void finish();        ///< There is no more: what still waits for a pose will not get one.
 
-  const IntakeCounts& counts() const { return counts_; }
+  const IntakeCounts& counts() const { return counts_; }  ///< Since the start.
   std::int64_t newest_utime() const;  ///< Of the data that was believed [us]; 0 before any.
 
  private:

@@ -35,11 +35,11 @@ class TrackLife {
   /// One call a scan after the one of birth.
   void step(const TrackLifeParams& params, const Evidence& evidence);
 
-  core::TrackStatus status() const { return status_; }
-  bool ended() const { return ended_; }
-  int hits() const { return hits_; }
-  int misses() const { return misses_; }  ///< In a row.
-  int age() const { return age_; }        ///< Scans since birth.
+  core::TrackStatus status() const { return status_; }  ///< Tentative, confirmed or coasting.
+  bool ended() const { return ended_; }                 ///< Whether the track is to be deleted.
+  int hits() const { return hits_; }                    ///< Scans with a detection of its own, since birth.
+  int misses() const { return misses_; }                ///< In a row.
+  int age() const { return age_; }                      ///< Scans since birth.
 
  private:
   void step_tentative(const TrackLifeParams& params, const Evidence& evidence);

@@ -31,8 +31,10 @@ class TrajectoryBook {
   std::int64_t next_id() const { return next_id_; }     ///< The identity of the next trajectory.
   void set_next_id(std::int64_t id) { next_id_ = id; }  ///< Identities go on from there.
 
+  /// The living trajectories; valid until the next step or birth.
   std::span<core::Track> tracks() { return tracks_; }
-  std::span<const core::Track> tracks() const { return tracks_; }
+  std::span<const core::Track> tracks() const { return tracks_; }  ///< The same, to read.
+  /// What decides on confirmation and end of one of `tracks()`.
   const TrackLife& life(std::size_t index) const { return lives_[index]; }
   /// The running mean of a trajectory's innovations, zero at birth: kept for ManoeuvreDetector.
   Eigen::Vector2d& drift(std::size_t index) { return drifts_[index]; }

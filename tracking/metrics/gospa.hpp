@@ -14,8 +14,8 @@ struct GospaResult {
   double localization = 0.0;  ///< Of the targets that are tracked [m].
   double missed = 0.0;        ///< Of the targets without a track [m].
   double false_tracks = 0.0;  ///< Of the tracks without a target [m].
-  int num_missed = 0;
-  int num_false = 0;
+  int num_missed = 0;         ///< Targets without a track.
+  int num_false = 0;          ///< Tracks without a target.
 };
 
 /// Generalised OSPA with alpha = 2: a pair counts up to the cut-off, beyond it is a miss and a false track.

@@ -15,11 +15,11 @@ struct OspaParams {
 
 /// The OSPA distance of two sets and its parts: total^p = localization^p + cardinality^p.
 struct OspaResult {
-  double total = 0.0;
-  double localization = 0.0;
-  double cardinality = 0.0;
-  int num_truth = 0;
-  int num_tracks = 0;
+  double total = 0.0;         ///< [m].
+  double localization = 0.0;  ///< Of the pairs' distances [m].
+  double cardinality = 0.0;   ///< Of the difference in number [m].
+  int num_truth = 0;          ///< Size of the true set.
+  int num_tracks = 0;         ///< Size of the estimated set.
 };
 
 /// Optimal sub-pattern assignment distance between two finite sets of points of the plane (positions or
@@ -33,7 +33,7 @@ class Ospa {
   /// Both sets empty: 0; one empty: the cut-off, all of it cardinality.
   OspaResult operator()(std::span<const Eigen::Vector2d> truth, std::span<const Eigen::Vector2d> estimate);
 
-  const OspaParams& params() const { return params_; }
+  const OspaParams& params() const { return params_; }  ///< As given.
 
  private:
   OspaParams params_;

@@ -13,10 +13,11 @@
 
 namespace lookout::tracking {
 
+/// What the node is told.
 struct ScoreNodeParams {
-  std::string channel_prefix;
+  std::string channel_prefix;  ///< Of the vehicle's channels.
   std::string tracks_channel;  ///< Empty: TRACKS with the prefix.
-  OspaParams ospa;
+  OspaParams ospa;             ///< Cut-off and order.
 };
 
 /// GROUND_TRUTH and TRACKS in, OSPA out for each pair of one time; the mean at the end.
@@ -25,11 +26,12 @@ class ScoreNode {
   /// @throws core::InputError on a bad prefix.
   ScoreNode(lcmtypes::Bus& bus, const ScoreNodeParams& params, Scorer scorer);
 
-  void run(const lcmtypes::LoopLimits& limits);
+  void run(const lcmtypes::LoopLimits& limits);  ///< Works until a limit is reached or LCM ends.
 
-  const Scorer& scorer() const { return scorer_; }
-  std::int64_t truths() const { return truths_; }  ///< Heard.
-  std::int64_t tracks() const { return tracks_; }  ///< Lists heard.
+  const Scorer& scorer() const { return scorer_; }  ///< The scores so far.
+  std::int64_t truths() const { return truths_; }   ///< Heard.
+  std::int64_t tracks() const { return tracks_; }   ///< Lists heard.
+  /// Whether a truth and a list of tracks met at one time.
   bool scored_at_all() const { return scorer_.num_scans() > 0; }
 
  private:

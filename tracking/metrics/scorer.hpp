@@ -20,7 +20,9 @@ enum class TruthKind { visible, schedule };
 /// "visible" or "schedule"; nothing for any other name.
 std::optional<TruthKind> truth_kind(std::string_view name);
 
+/// Whether a target is among those that must be tracked.
 bool counts(const core::TargetTruth& target, TruthKind kind);
+/// Whether a track is held against them; tentative ones never are.
 bool counts(const core::Track& track, TruthKind kind);
 
 /// Scores of one scan, or means of them over scans.
@@ -39,9 +41,9 @@ class Scorer {
   /// Scores one scan; valid until the next call.
   const ScanScore& add(const core::GroundTruth& truth, std::span<const core::Track> tracks);
 
-  ScanScore mean() const;  ///< Over the scans added; zero before the first.
-  int num_scans() const { return num_scans_; }
-  TruthKind kind() const { return kind_; }
+  ScanScore mean() const;                       ///< Over the scans added; zero before the first.
+  int num_scans() const { return num_scans_; }  ///< Scans added.
+  TruthKind kind() const { return kind_; }      ///< Which targets count.
 
  private:
   TruthKind kind_;

@@ -14,6 +14,7 @@
 
 namespace lookout::tracking {
 
+/// When a track is on a target.
 struct TrackQualityParams {
   double gate = 20.0;  ///< A track farther than this from a target is not on it [m], > 0. The OSPA cut-off.
   int identity_scans = 10;  ///< Scans in a row that a track must be on a target to be its identity, >= 1:
@@ -23,13 +24,14 @@ struct TrackQualityParams {
 
 /// How one target was tracked.
 struct TargetQuality {
-  std::int32_t id = 0;
-  int scans = 0;       ///< In which it counted.
-  int followed = 0;    ///< In which a track was on it.
-  int identities = 0;  ///< Different tracks that were on it in `identity_scans` scans or more in a row.
-  int switches = 0;    ///< Changes of that identity.
+  std::int32_t id = 0;  ///< Of the target.
+  int scans = 0;        ///< In which it counted.
+  int followed = 0;     ///< In which a track was on it.
+  int identities = 0;   ///< Different tracks that were on it in `identity_scans` scans or more in a row.
+  int switches = 0;     ///< Changes of that identity.
   double time_to_confirm = 0.0;  ///< From its first scan to its first track; without one, its whole time [s].
   std::optional<double> median_error;  ///< Of the position while followed [m].
+  /// Of the scans in which it counted; 0 where there were none.
   double followed_share() const { return scans > 0 ? static_cast<double>(followed) / scans : 0.0; }
 };
 
@@ -53,8 +55,9 @@ class TrackQuality {
   /// @throws std::invalid_argument on a gate <= 0 or identity_scans < 1.
   explicit TrackQuality(const TrackQualityParams& params = {});
 
+  /// Takes one scan; times increase.
   void add(const core::GroundTruth& truth, std::span<const core::Track> tracks);
-  TrackQualityResult result() const;
+  TrackQualityResult result() const;  ///< Over the scans added.
 
  private:
   struct Target {

@@ -11,8 +11,9 @@
 
 namespace lookout::tracking {
 
+/// Who sends, and how much the link carries.
 struct LocalEstimateSenderParams {
-  std::int32_t node_id = 1;
+  std::int32_t node_id = 1;  ///< Of the vehicle, unique among those that share the link.
   double bytes_per_second =
       256.0;                   ///< Of the link, payload and LCM header together, > 0: an acoustic modem's.
   double burst_bytes = 128.0;  ///< What an idle link saves up, >= one message: half a second's worth. In any
@@ -32,15 +33,16 @@ class LocalEstimateSender {
 
   /// The scan that the tracks belong to, and from where it was taken.
   struct Scan {
-    std::int64_t utime = 0;
-    std::int64_t sequence = 0;
-    Eigen::Vector2d p_earth_sonar{0, 0};
+    std::int64_t utime = 0;               ///< Scenario time [us].
+    std::int64_t sequence = 0;            ///< Of the scan.
+    Eigen::Vector2d p_earth_sonar{0, 0};  ///< North, east of the sonar [m].
   };
 
   /// What to send after this scan; valid until the next call. Tentative and coasting tracks stay at home.
   std::span<const core::LocalEstimate> select(const Scan& scan, std::span<const core::Track> tracks);
 
-  std::int64_t messages_sent() const { return messages_sent_; }
+  std::int64_t messages_sent() const { return messages_sent_; }  ///< Since the start.
+  /// Since the start, LCM header included.
   std::int64_t bytes_sent() const { return messages_sent_ * message_bytes_; }
   std::int64_t most_bytes_in_a_second() const { return most_bytes_in_a_second_; }  ///< Over any second.
   double longest_wait() const { return longest_wait_; }  ///< Of a track between two of its messages [s].

@@ -13,8 +13,9 @@
 
 namespace lookout::tracking {
 
+/// What a tracking node is told beside the tracker.
 struct TrackerNodeParams {
-  std::string channel_prefix;
+  std::string channel_prefix;      ///< Before the vehicle's channel names.
   std::int32_t node_id = 1;        ///< >= 1; 0 is for programs that track nothing.
   bool publish_estimates = false;  ///< Also LOCAL_ESTIMATE.
   LocalEstimateSenderParams link;  ///< What carries them; with our node_id.
@@ -31,13 +32,13 @@ class PingNode {
 
   void note_arrival() {
     arrival_ = lcmtypes::NodeLoop::Clock::now();
-  }  ///< Of the message that is handled now.
-  void publish(const PingResult& ping);
-  void note(const std::string& line);  ///< For a person, and for the status until another comes.
-  void publish_status(const lcmtypes::NodeFigures& figures);
+  }                                      ///< Of the message that is handled now.
+  void publish(const PingResult& ping);  ///< Sends all that the result holds, empty lists included.
+  void note(const std::string& line);    ///< For a person, and for the status until another comes.
+  void publish_status(const lcmtypes::NodeFigures& figures);  ///< Sends LOOKOUT_STATUS.
 
-  const lcmtypes::Channels& channels() const { return channels_; }
-  const LocalEstimateSender& link() const { return sender_; }
+  const lcmtypes::Channels& channels() const { return channels_; }  ///< With the prefix.
+  const LocalEstimateSender& link() const { return sender_; }       ///< Of LOCAL_ESTIMATE, for its counts.
   double latency(double share) const { return status_.latency(share); }  ///< Percentile [ms].
 
  private:

@@ -18,7 +18,9 @@ CellIntegrals integrate_cell(double mean, double variance, double low, double hi
 
 /// The three integrals one by one, as the printed algorithm evaluates them in every cell.
 double cell_probability(double mean, double variance, double low, double high);
+/// CellIntegrals::first alone.
 double cell_first_moment(double mean, double variance, double low, double high);
+/// CellIntegrals::second alone.
 double cell_second_moment(double mean, double variance, double low, double high);
 
 /// The integrals over a run of neighbouring cells: one error function and one exponential an edge. Cells with
@@ -28,10 +30,11 @@ class AxisIntegrals {
   /// Cells [first_cell, first_cell + num_cells); num_cells >= 0, variance > 0. Keeps its buffers.
   void compute(double mean, double variance, int first_cell, int num_cells);
 
+  /// Of each cell, from the first on.
   const std::vector<double>& probability() const { return probability_; }
-  const std::vector<double>& first() const { return first_; }
-  const std::vector<double>& second() const { return second_; }
-  const CellIntegrals& sum() const { return sum_; }  ///< Of all the cells.
+  const std::vector<double>& first() const { return first_; }    ///< First moments of each cell.
+  const std::vector<double>& second() const { return second_; }  ///< Second moments of each cell.
+  const CellIntegrals& sum() const { return sum_; }              ///< Of all the cells.
 
  private:
   std::vector<double> probability_, first_, second_;

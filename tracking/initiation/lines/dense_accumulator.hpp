@@ -18,6 +18,7 @@ class DenseAccumulator {
   void vote(const LineGrid& grid, const LineCell& cell) {
     if (cell.rho >= 0 && cell.rho < grid.num_rho()) ++votes_[static_cast<std::size_t>(grid.index(cell))];
   }
+  /// Votes of a cell on the grid.
   int votes(const LineGrid& grid, const LineCell& cell) const {
     return votes_[static_cast<std::size_t>(grid.index(cell))];
   }
@@ -35,6 +36,7 @@ class DenseAccumulator {
 /// calls.
 class ColumnVoting {
  public:
+  /// Adds a point's votes, one a column; rows off the grid are left out.
   void vote(const LineGrid& grid, const Eigen::Vector2d& p, DenseAccumulator& votes);
 
  private:

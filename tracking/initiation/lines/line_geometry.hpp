@@ -12,7 +12,7 @@ struct NormalLine {
   double rho = 0.0;    ///< Signed distance of the line from the origin along its normal [m].
   double theta = 0.0;  ///< Direction of the normal, from the first axis towards the second [rad].
 
-  Eigen::Vector2d normal() const;
+  Eigen::Vector2d normal() const;     ///< Unit normal.
   Eigen::Vector2d direction() const;  ///< The normal turned by +90 degrees.
   /// Signed distance of a point p from the line [m].
   double offset_of(const Eigen::Vector2d& p) const { return p.dot(normal()) - rho; }

@@ -22,20 +22,21 @@ class LineGrid {
   /// @throws std::invalid_argument on a value out of range.
   LineGrid(int num_theta, int num_rho, double rho_max);
 
-  int num_theta() const { return num_theta_; }
-  int num_rho() const { return num_rho_; }
+  int num_theta() const { return num_theta_; }       ///< Columns.
+  int num_rho() const { return num_rho_; }           ///< Rows.
   double theta_step() const { return theta_step_; }  ///< [rad].
   double rho_step() const { return rho_step_; }      ///< [m].
   double rho_max() const { return rho_max_; }        ///< [m].
 
   /// The cell of a line with theta in [0, pi); its row may lie off the grid (see `contains`).
   LineCell cell_of(const NormalLine& line) const;
-  NormalLine centre(const LineCell& cell) const;
+  NormalLine centre(const LineCell& cell) const;  ///< The line through the middle of a cell.
   double theta_of(int column) const { return (column + 0.5) * theta_step_; }  ///< [rad].
   int row_of(double rho) const;                                               ///< May lie off the grid.
 
   /// The same cell with its column on the grid: a step over either end of theta mirrors the row.
   LineCell wrapped(const LineCell& cell) const;
+  /// Whether the cell lies on the grid.
   bool contains(const LineCell& cell) const {
     return cell.theta >= 0 && cell.theta < num_theta_ && cell.rho >= 0 && cell.rho < num_rho_;
   }
@@ -44,9 +45,11 @@ class LineGrid {
   std::int64_t index(const LineCell& cell) const {
     return static_cast<std::int64_t>(cell.theta) * num_rho_ + cell.rho;
   }
+  /// The cell of a number from `index`.
   LineCell cell_at(std::int64_t index) const {
     return {static_cast<int>(index / num_rho_), static_cast<int>(index % num_rho_)};
   }
+  /// Cells of the grid.
   std::int64_t num_cells() const { return static_cast<std::int64_t>(num_theta_) * num_rho_; }
 
  private:

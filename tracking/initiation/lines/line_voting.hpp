@@ -29,7 +29,7 @@ struct LineVotingParams {
 
   /// Rows and columns of the neighbourhood that one line fills, two tolerances [Fan2018] Eq. (28).
   int rho_radius() const;
-  int theta_radius() const;
+  int theta_radius() const;  ///< Columns of the neighbourhood.
   /// The neighbourhood in which one peak is declared.
   PeakParams peaks() const;
 };

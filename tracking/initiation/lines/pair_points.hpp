@@ -16,9 +16,9 @@ namespace lookout::tracking {
 
 /// A temporary track: two plots of consecutive scans and the line through them. [Fan2018] Eq. (9), (10).
 struct PairPoint {
-  int older = 0;  ///< Index of the plot in the window.
-  int newer = 0;
-  NormalLine line;
+  int older = 0;        ///< Index of the plot in the window.
+  int newer = 0;        ///< Index of the later plot in the window.
+  NormalLine line;      ///< Through both plots.
   double weight = 1.0;  ///< How strongly it votes.
 };
 
@@ -35,7 +35,7 @@ class PairFormation {
   /// coinciding plots form none. Without a finite speed limit that is every pair. [Fan2018] Eq. (20).
   /// @return valid until the next call; incomplete once `exceeded()`.
   const std::vector<PairPoint>& form(const PlotWindow& window, int scan, const Eigen::Vector2d& origin);
-  bool exceeded() const { return total_ > max_pairs_; }
+  bool exceeded() const { return total_ > max_pairs_; }  ///< Whether there were more than the bound.
   /// What to tell the user of a window that has too many pairs.
   std::string refusal() const;
 

@@ -9,9 +9,9 @@ namespace lookout::tracking {
 
 /// A cell of a line accumulator and what it holds.
 struct LineVote {
-  LineCell cell;
-  double value = 0.0;
-  int layer = 0;  ///< Index along a third axis (speed); 0 where there is none.
+  LineCell cell;       ///< Its column and row.
+  double value = 0.0;  ///< Votes.
+  int layer = 0;       ///< Index along a third axis (speed); 0 where there is none.
 };
 
 /// Which candidates count as one peak.

@@ -20,11 +20,12 @@ struct ZengGridParams {
 /// The paper's grid, with the range and the steps that the user gave.
 ZengGridParams zeng_grid(const InitiatorConfig& config);
 
+/// Of the adaptive-gate fuzzy Hough transform. [Zeng2023] section 2.
 struct AgFhtParams {
-  ZengGridParams grid;
-  GateLogicParams gates;
-  int min_plots = 3;  ///< Plots that a candidate needs, and crisp hits of a cell, >= 2.
-  int reach = 2;      ///< Columns and rows over which a plot's membership goes, >= 0. Section 2.4.
+  ZengGridParams grid;    ///< Of the line space.
+  GateLogicParams gates;  ///< Of the gates that choose the plots.
+  int min_plots = 3;      ///< Plots that a candidate needs, and crisp hits of a cell, >= 2.
+  int reach = 2;          ///< Columns and rows over which a plot's membership goes, >= 0. Section 2.4.
   double cell_sigma =
       1.0;  ///< Sigma of the membership in cells, > 0: the paper gives none; docs/initiators.md.
   double share_of_highest = 0.5;  ///< p of Eq. (16), in (0, 1).

@@ -10,14 +10,15 @@
 
 namespace lookout::tracking {
 
+/// Of the fuzzy Hough transform that votes plot by plot. [Zeng2023] section 3.
 struct FphtParams {
-  ZengGridParams grid;
-  int reach = 2;                 ///< Rows over which a plot's membership goes, >= 0.
-  double cell_sigma = 1.0;       ///< Sigma of the membership in rows, > 0.
-  double peak_threshold = 0.75;  ///< Share of the highest peak, in (0, 1].
-  int min_plots = 3;             ///< Scans that a line's plots must come from, >= 2.
-  int max_tracks = 5000;         ///< The strongest that are declared, >= 1: bounds the time.
-  int window_scans = 4;
+  ZengGridParams grid;            ///< Of the line space.
+  int reach = 2;                  ///< Rows over which a plot's membership goes, >= 0.
+  double cell_sigma = 1.0;        ///< Sigma of the membership in rows, > 0.
+  double peak_threshold = 0.75;   ///< Share of the highest peak, in (0, 1].
+  int min_plots = 3;              ///< Scans that a line's plots must come from, >= 2.
+  int max_tracks = 5000;          ///< The strongest that are declared, >= 1: bounds the time.
+  int window_scans = 4;           ///< Scans that vote together, >= 2.
   MotionModelParams motion{1.0};  ///< Of the refit.
 };
 

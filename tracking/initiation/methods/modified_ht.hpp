@@ -13,8 +13,9 @@
 
 namespace lookout::tracking {
 
+/// Of the modified Hough transform, which votes by triples of plots. [Zeng2023] section 3.
 struct ModifiedHtParams {
-  SpeedLimits speeds = kZengSpeeds;
+  SpeedLimits speeds = kZengSpeeds;    ///< Of either leg.
   double max_angle = 0.471238898;      ///< Between the two legs [rad], in (0, pi]: 30 columns of 0.9 degrees.
   double margin = 0.0;                 ///< By which the limits of a leg's speed are widened [m], >= 0.
   std::int64_t max_triples = 500'000;  ///< More are refused, >= 1: bounds time and memory.

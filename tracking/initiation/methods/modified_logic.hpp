@@ -9,10 +9,11 @@
 
 namespace lookout::tracking {
 
+/// Of the modified logic method. [Zeng2023] section 3.
 struct ModifiedLogicParams {
   GateLogicParams gates;  ///< Ellipse only, from the last two plots.
   int min_plots = 3;      ///< Plots of a track, >= 2: three of four.
-  int window_scans = 4;
+  int window_scans = 4;   ///< Scans of a window, >= 2.
 };
 
 /// Logic-based initiation: an annulus, then the ellipse and the largest turn around the straight continuation

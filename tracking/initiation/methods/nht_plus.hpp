@@ -14,9 +14,10 @@
 
 namespace lookout::tracking {
 
+/// Of our own form of the paper's method; docs/initiators.md tells what it changes.
 struct NhtPlusParams {
-  SpeedLimits speeds = kFanSpeeds;
-  MotionModelParams motion{0.0};
+  SpeedLimits speeds = kFanSpeeds;     ///< Of a pair of plots.
+  MotionModelParams motion{0.0};       ///< Of the refit.
   double gate_margin = 0.0;            ///< By which the limits of a pair's speed are widened [m], >= 0.
   double acceleration_factor = 1.5;    ///< Widens the tolerances where the motion is not straight, >= 1.
   double reach_sigmas = 2.0;           ///< How far a pair votes, in its sigmas, > 0. [Fan2018] Eq. (28).

@@ -18,10 +18,11 @@ enum class NhtVote {
           ///< gives the paper's Table 2.
 };
 
+/// Of the new Hough transform of temporary tracks. [Fan2018] section III.
 struct NhtTiParams {
-  LineVotingParams lines;
-  SpeedLimits speeds = kFanSpeeds;
-  NhtVote vote = NhtVote::spread;
+  LineVotingParams lines;                 ///< Of the votes and the peaks.
+  SpeedLimits speeds = kFanSpeeds;        ///< Of a pair of plots.
+  NhtVote vote = NhtVote::spread;         ///< Where a pair votes.
   bool chained = false;                   ///< A kernel counts only for pairs that begin at its newer plot.
   double false_alarm_probability = 0.01;  ///< P_F, in [0, 1). [Fan2018] section V.
   double false_degree_factor = 1.0;       ///< lambda_k of Eq. (29), >= 0; the paper gives no value.

@@ -11,8 +11,9 @@
 
 namespace lookout::tracking {
 
+/// Of the sequence Hough transform. [Zeng2023] section 3.
 struct SequenceHtParams {
-  ZengGridParams grid;
+  ZengGridParams grid;            ///< Of the line space.
   int num_tracks = 6;             ///< Lines that are taken one after another, >= 1: the authors' program.
   int min_plots = 2;              ///< Plots that a line needs to be called a track, >= 2.
   int window_scans = 4;           ///< 4 for SHT-S, 12 for SHT-L.

@@ -14,8 +14,9 @@
 
 namespace lookout::tracking {
 
+/// Of the verified chains; docs/initiators.md tells the method.
 struct VctParams {
-  SpeedLimits speeds = kFanSpeeds;
+  SpeedLimits speeds = kFanSpeeds;         ///< Of a pair of plots; both finite.
   MotionModelParams motion{1.0};           ///< [Zeng2023] section 3.1.
   int window_scans = 4;                    ///< N, >= 3.
   int min_plots = 4;                       ///< K of N, in 3 .. window_scans.

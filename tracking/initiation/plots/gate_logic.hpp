@@ -12,8 +12,8 @@ namespace lookout::tracking {
 
 /// Rules of the gates that grow tracks plot by plot, the nearest plot of each gate. [Zeng2023] section 2.
 struct GateLogicParams {
-  SpeedLimits speeds = kZengSpeeds;
-  double margin = 10.0;  ///< w, by which the circular gate is widened [m], >= 0. Eq. (1).
+  SpeedLimits speeds = kZengSpeeds;  ///< Of the annulus around a root.
+  double margin = 10.0;              ///< w, by which the circular gate is widened [m], >= 0. Eq. (1).
   bool fan_gate = true;  ///< Temporary tracks in their next scan meet a fan gate, Eq. (2); else the ellipse.
   double max_acceleration = 150.0;  ///< a_max - a_min of the fan gate [m/s^2], >= 0.
   double turn_rate = 0.104719755;   ///< Fastest turn [rad/s], > 0: 6 degrees.
@@ -40,20 +40,22 @@ struct GateLogicParams {
 
 /// A track of gate logic: a root (one plot), temporary (two) or candidate (three or more).
 struct GateTrack {
-  static constexpr int kMaxPlots = 32;
-  int plots[kMaxPlots] = {};  ///< Indices in the window.
-  int num_plots = 0;
-  int misses = 0;  ///< Scans since its newest plot.
-  TrackFit fit;    ///< From two plots on.
+  static constexpr int kMaxPlots = 32;  ///< Most plots of one track.
+  int plots[kMaxPlots] = {};            ///< Indices in the window.
+  int num_plots = 0;                    ///< Plots so far, the oldest first in `plots`.
+  int misses = 0;                       ///< Scans since its newest plot.
+  TrackFit fit;                         ///< From two plots on.
 
+  /// Indices in the window, the oldest first.
   std::span<const int> plot_indices() const { return {plots, static_cast<std::size_t>(num_plots)}; }
-  int newest() const { return plots[num_plots - 1]; }
+  int newest() const { return plots[num_plots - 1]; }  ///< Index of the newest plot; there is one.
 };
 
 /// Grows gate tracks through the scans of a window. The first scan's plots are roots; plots of the second
 /// that lie in no root's gate become roots too.
 class GateLogic {
  public:
+  /// @throws std::invalid_argument on a parameter out of range.
   explicit GateLogic(const GateLogicParams& params);
 
   /// @return the tracks that are alive after the last scan; valid until the next call.

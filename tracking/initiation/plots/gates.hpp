@@ -12,6 +12,7 @@ struct SpeedLimits {
 
   /// @throws std::invalid_argument naming the value out of range.
   void validate() const;
+  /// Whether `speed` [m/s] is allowed.
   bool contain(double speed) const { return speed >= min && speed <= max; }
 };
 

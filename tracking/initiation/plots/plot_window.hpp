@@ -22,23 +22,27 @@ struct Plot {
 /// The plots of some consecutive scans, in order of time. Memory is kept when it is cleared.
 class PlotWindow {
  public:
-  void clear();
+  void clear();  ///< Forgets all scans and keeps the memory.
   /// Opens the next scan, which may stay empty. @throws std::invalid_argument unless `time` [s] is finite and
   /// later than that of the scan before.
   void begin_scan(double time);
   /// Adds a plot to the newest scan; its `scan` and `time` are set here. @throws std::invalid_argument where
   /// its position is not finite or no scan is open.
   void add(const Plot& plot);
-  void drop_oldest_scan();
+  void drop_oldest_scan();  ///< Forgets the oldest scan and renumbers the plots; there must be one.
 
-  int num_scans() const { return static_cast<int>(times_.size()); }
-  int num_plots() const { return static_cast<int>(plots_.size()); }
+  int num_scans() const { return static_cast<int>(times_.size()); }  ///< Scans, empty ones included.
+  int num_plots() const { return static_cast<int>(plots_.size()); }  ///< Plots of all scans.
+  /// Time of a scan [s]; 0 <= scan < num_scans().
   double time(int scan) const { return times_[static_cast<std::size_t>(scan)]; }
+  /// 0 <= index < num_plots().
   const Plot& plot(int index) const { return plots_[static_cast<std::size_t>(index)]; }
+  /// In order of their scans; valid until the window changes.
   std::span<const Plot> plots() const { return plots_; }
   int first(int scan) const { return first_[static_cast<std::size_t>(scan)]; }  ///< Index of its first plot.
   int end(int scan) const;                                                      ///< One past its last plot.
-  int size(int scan) const { return end(scan) - first(scan); }
+  int size(int scan) const { return end(scan) - first(scan); }                  ///< Plots of a scan.
+  /// The plots of one scan; valid until the window changes.
   std::span<const Plot> scan(int scan) const {
     return plots().subspan(as_size(first(scan)), as_size(size(scan)));
   }

@@ -15,8 +15,9 @@ struct TrackFit {
   double chi_square =
       0.0;  ///< Squared residuals in units of their covariance, 2 (plots - 2) degrees of freedom.
   double log_volume = 0.0;  ///< Sum over these residuals of log sqrt(det S) [log m^2].
-  int plots = 0;
+  int plots = 0;            ///< How many plots it rests on.
 
+  /// Position at the time `when` [s], along a straight course: north, east [m].
   Eigen::Vector2d position_at(double when) const {
     return track.position() + (when - time) * track.velocity();
   }
@@ -30,7 +31,7 @@ TrackFit two_point_start(const Plot& older, const Plot& newer, const MotionModel
 struct Innovation {
   Eigen::Vector2d residual{0, 0};                            ///< [m].
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Identity();  ///< [m^2], the plot's own noise included.
-  double squared_distance() const;
+  double squared_distance() const;                           ///< Of the residual under its covariance.
 };
 
 /// The fit carried to `time` [s] without a plot.

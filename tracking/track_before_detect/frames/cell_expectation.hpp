@@ -42,9 +42,9 @@ struct TargetSums {
 
 /// What one E-step over a frame gives.
 struct Expectation {
-  double total_probability = 0.0;  ///< P_t, [Pakfiliz2018] Eq. (8); under Truncation::zero all cells count.
-  double total_intensity = 0.0;    ///< ||Z_t||, Eq. (10).
-  std::vector<TargetSums> targets;
+  double total_probability = 0.0;   ///< P_t, [Pakfiliz2018] Eq. (8); under Truncation::zero all cells count.
+  double total_intensity = 0.0;     ///< ||Z_t||, Eq. (10).
+  std::vector<TargetSums> targets;  ///< In the order of the models.
 };
 
 /// The E-step of the histogram PMHT over one frame, [Pakfiliz2018] Eq. (6)-(12) and the sums of (15), (22).

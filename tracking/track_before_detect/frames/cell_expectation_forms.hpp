@@ -8,24 +8,28 @@
 /// What the four forms of the E-step share; an implementation detail of make_cell_expectation.
 namespace lookout::tracking {
 
+/// Cell by cell with each integral anew, as printed.
 std::unique_ptr<CellExpectation> make_per_cell_expectation(Truncation truncation);
+/// With the integrals of rows and columns computed once.
 std::unique_ptr<CellExpectation> make_separable_expectation(Truncation truncation);
+/// With the displayed cells alone.
 std::unique_ptr<CellExpectation> make_sparse_expectation(Truncation truncation);
+/// With the displayed cells inside each target's gate.
 std::unique_ptr<CellExpectation> make_gated_expectation(const GateParams& gate);
 
 /// The integrals of one model along both axes, from the first cell of either on.
 struct ModelAxes {
-  AxisIntegrals x, y;
-  int first_column = 0;
-  int first_row = 0;
+  AxisIntegrals x, y;    ///< Along columns and along rows.
+  int first_column = 0;  ///< Column of the first integral of `x`.
+  int first_row = 0;     ///< Row of the first integral of `y`.
 
+  /// Index of a column in `x`.
   std::size_t column(int c) const { return static_cast<std::size_t>(c - first_column); }
+  /// Index of a row in `y`.
   std::size_t row(int r) const { return static_cast<std::size_t>(r - first_row); }
 
   /// Cell probability of Eq. (6).
-  double probability(int c, int r) const {
-    return x.probability()[column(c)] * y.probability()[row(r)];
-  }
+  double probability(int c, int r) const { return x.probability()[column(c)] * y.probability()[row(r)]; }
 
   /// Adds `weight` times the integrals of one cell to the sums.
   void add(int c, int r, double weight, TargetSums& sums) const {
@@ -35,6 +39,7 @@ struct ModelAxes {
   /// Adds `weight` times the integrals over all the cells.
   void add_all(double weight, TargetSums& sums) const { add(weight, x.sum(), y.sum(), sums); }
 
+  /// Probability that all the cells hold together.
   double mass() const { return x.sum().probability * y.sum().probability; }
 
   /// The product form of a diagonal covariance: 2-D moments from those along the axes.

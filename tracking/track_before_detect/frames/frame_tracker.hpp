@@ -12,8 +12,8 @@ namespace lookout::tracking {
 /// One target as a frame tracker sees it, in pixels. State order x, y [px], x and y velocity [px per unit of
 /// time]; pixel centres at .5.
 struct FrameTrack {
-  std::int64_t id = 0;
-  Eigen::Vector4d state{0, 0, 0, 0};
+  std::int64_t id = 0;                ///< As it was added.
+  Eigen::Vector4d state{0, 0, 0, 0};  ///< x, y [px], x and y velocity [px per unit of time].
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`.
   double intensity = 0.0;  ///< Intensity above the threshold that belongs to the target.
   double existence = 1.0;  ///< Probability that there is a target; 1 where nothing judges it.
@@ -30,7 +30,7 @@ class FrameTracker {
 
   /// Adds a target known at the time of the last frame processed (before the first: of the start).
   virtual void add(std::int64_t id, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance) = 0;
-  virtual void remove(std::int64_t id) = 0;
+  virtual void remove(std::int64_t id) = 0;  ///< Forgets a target; one that is unknown changes nothing.
 
   /// Takes up to batch_length() frames; steps[t] >= 0 is the time from the frame before (at
   /// first: from the start) to frames[t].

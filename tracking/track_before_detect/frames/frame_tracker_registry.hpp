@@ -27,7 +27,7 @@ struct TbdParams {
   Polarity polarity = Polarity::bright;      ///< See Polarity.
   std::optional<Eigen::Vector4d> start;      ///< x, y [px], vx, vy [px/frame]; absent: automatic initiation.
   double target_area = 96.0;                 ///< [px^2], > 0. The test target of docs/track_before_detect.md.
-  Differencing differencing = Differencing::automatic;
+  Differencing differencing = Differencing::automatic;  ///< See Differencing.
   int frame_step = 1;                 ///< Frames between the two of a difference, Delta, >= 1.
   double frame_period = 1.0;          ///< Between frames [s], > 0.
   double start_position_sigma = 2.0;  ///< Of a given start [px], >= 0.

@@ -8,6 +8,7 @@
 
 namespace lookout::tracking {
 
+/// Where the process noise Q comes from.
 enum class ProcessNoise {
   fixed,   ///< Q of Eq. (26).
   printed  ///< Q learned by Eq. (23): of rank one at a batch of one, the filter then ignores the data.
@@ -27,9 +28,9 @@ struct HPmhtParams {
   bool learn_variance = true;   ///< Learn R by Eq. (21)-(22); else R_0 throughout.
   double min_variance = 0.5;    ///< Lower bound of R [px^2], > 0.
   double max_variance = 400.0;  ///< Upper bound of R [px^2].
-  std::optional<double> max_variance_ratio;  ///< Upper bound of R over the disc's variance, > 0.
-  ProcessNoise process_noise = ProcessNoise::fixed;
-  double noise_density = 3.0;    ///< sigma^2 of Eq. (26) [px^2 / time^3], > 0.
+  std::optional<double> max_variance_ratio;          ///< Upper bound of R over the disc's variance, > 0.
+  ProcessNoise process_noise = ProcessNoise::fixed;  ///< See ProcessNoise.
+  double noise_density = 3.0;                        ///< sigma^2 of Eq. (26) [px^2 / time^3], > 0.
   double target_weight = 0.95;   ///< First mixing proportion of all targets together, in (0, 1).
   double min_weight = 1e-6;      ///< Mixing proportions stay above this, Eq. (5), in (0, 0.1).
   double min_mass_inside = 0.5;  ///< A target with less of its mass inside the frame is lost, in [0, 1].
@@ -42,8 +43,8 @@ struct HPmhtParams {
 /// The three modes of the paper: standard batch; improved with operational improvements, single scan; and one
 /// iteration with R fixed.
 HPmhtParams standard_h_pmht();
-HPmhtParams improved_h_pmht_4();
-HPmhtParams improved_h_pmht_1();
+HPmhtParams improved_h_pmht_4();  ///< Improved, four iterations.
+HPmhtParams improved_h_pmht_1();  ///< Improved, one iteration with R fixed.
 
 /// The same mode with truncated cells dark, R at most twice the disc's variance and at first 1.5 times it: a
 /// silhouette is longer than the disc of its area, and where R stays R_0 a nose beyond its reach is given to

@@ -20,6 +20,7 @@ struct SyntheticMeasurement {
 /// A target over one batch: index 0 is the last frame before it.
 class HPmhtTarget {
  public:
+  /// Starts at the last frame before the batch, with the mixing proportion `weight`.
   HPmhtTarget(const HPmhtParams& params, std::int64_t id, const Eigen::Vector4d& state,
               const Eigen::Matrix4d& covariance, double weight);
 
@@ -34,11 +35,13 @@ class HPmhtTarget {
   /// Carries the last frame over to the next batch.
   void end_batch();
 
-  FrameTrack track(std::size_t t) const;
-  std::int64_t id() const { return id_; }
-  bool lost() const { return lost_; }
-  void lose() { lost_ = true; }
+  FrameTrack track(std::size_t t) const;   ///< As it is at frame t of the batch.
+  std::int64_t id() const { return id_; }  ///< As it was added.
+  bool lost() const { return lost_; }      ///< Whether it is given up.
+  void lose() { lost_ = true; }            ///< Gives it up.
+  /// Its mixing proportion at frame t, Eq. (5); may be written.
   double& weight(std::size_t t) { return epochs_[t].weight; }
+  /// Intensity at frame t that belongs to it, Eq. (15).
   double responsibility(std::size_t t) const { return epochs_[t].sums.responsibility; }
 
  private:

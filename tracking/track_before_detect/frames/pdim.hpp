@@ -15,7 +15,7 @@ enum class Polarity {
 
 /// Pixel-wise difference intensity modulation, [Pakfiliz2018] Eq. (2)-(4).
 struct PdimParams {
-  Polarity polarity = Polarity::bright;
+  Polarity polarity = Polarity::bright;  ///< See Polarity.
   double noise_level =
       1.0;  ///< Mean output of pixels without change, >= sqrt(1/2); its floor is noise^2 - 1/2.
   /// Eq. (3) as printed lets a small positive difference lie below the noise floor; false takes the larger

@@ -18,6 +18,7 @@ class SequenceTracker {
   /// @throws std::invalid_argument for an unknown method or parameters out of range.
   SequenceTracker(std::string_view method, const TbdParams& params);
 
+  /// Frames that `process` takes at once at most.
   int batch_length() const { return method_->batch_length(); }
 
   /// Takes up to batch_length() frames; steps[t] is the time from the frame before [frames], >= 0.

@@ -8,22 +8,25 @@ namespace lookout::tracking {
 
 /// Where a position lies in the image: x along columns, y along rows, cell centres at .5.
 struct CellView {
-  Eigen::Vector2d cell{0, 0};
+  Eigen::Vector2d cell{0, 0};                              ///< Column, row.
   Eigen::Matrix2d jacobian = Eigen::Matrix2d::Identity();  ///< d cell / d position.
-  bool inside = false;
+  bool inside = false;                                     ///< Whether it lies in the image.
 };
 
 /// How positions map to cells of the image at hand.
 class CellGeometry {
  public:
   virtual ~CellGeometry() = default;
+  /// Where a position lies in the image.
   virtual CellView observe(const Eigen::Vector2d& position) const = 0;
+  /// The position of a place in the image.
   virtual Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const = 0;
 };
 
 /// Columns are range bins, rows are beams, positions are north, east [m]; the sonar's own pose is part of it.
 class SonarCellGeometry : public CellGeometry {
  public:
+  /// Takes pose, beams and bins of the image; keeps no reference.
   explicit SonarCellGeometry(const core::PosedImage& posed);
   CellView observe(const Eigen::Vector2d& p_earth) const override;
   Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const override;
@@ -37,6 +40,7 @@ class SonarCellGeometry : public CellGeometry {
 /// Positions are pixels.
 class PixelGeometry : public CellGeometry {
  public:
+  /// @param columns, rows of the frame, > 0.
   PixelGeometry(int columns, int rows) : columns_(columns), rows_(rows) {}
   CellView observe(const Eigen::Vector2d& position) const override;
   Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const override { return cell; }

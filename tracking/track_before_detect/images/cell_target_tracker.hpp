@@ -11,13 +11,13 @@ namespace lookout::tracking {
 
 /// One target tracked in image cells; state order as core::Track.
 struct CellTrack {
-  std::int64_t id = 0;
-  Eigen::Vector4d state{0, 0, 0, 0};
-  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
-  double existence = 0.0;
-  double intensity = 0.0;  ///< Smoothed lambda [background level].
-  bool measured = false;   ///< Whether the last frame held intensity of its signature.
-  bool confirmed = false;
+  std::int64_t id = 0;                ///< Unique within a run, never used again.
+  Eigen::Vector4d state{0, 0, 0, 0};  ///< Position, velocity; of a sonar image north, east [m, m/s].
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`.
+  double existence = 0.0;                                ///< Probability that there is a target.
+  double intensity = 0.0;                                ///< Smoothed lambda [background level].
+  bool measured = false;        ///< Whether the last frame held intensity of its signature.
+  bool confirmed = false;       ///< Once true, it stays so.
   bool inside = true;           ///< In the image at the last frame.
   int age = 0;                  ///< Frames since its first.
   double first_time = 0.0;      ///< [s]

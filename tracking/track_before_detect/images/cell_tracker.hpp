@@ -51,11 +51,12 @@ struct CellExistenceParams {
   int max_tracks = 300;              ///< >= 1.
 };
 
+/// Of the filter, nested by step.
 struct CellTrackerParams {
-  CellMeasurementParams measurement;
-  CellMotionParams motion;
-  CellExistenceParams existence;
-  MatchedFilterParams filter;
+  CellMeasurementParams measurement;  ///< How a target is measured.
+  CellMotionParams motion;            ///< How a target moves.
+  CellExistenceParams existence;      ///< When a target is believed.
+  MatchedFilterParams filter;         ///< Of the instrument's signature.
 };
 
 /// @throws std::invalid_argument naming the parameter out of range.
@@ -65,6 +66,7 @@ void check(const CellTrackerParams& params);
 /// cell l, the background lambda_0; truncated cells are dark.
 class CellMeasurement {
  public:
+  /// The parameters must have been checked.
   explicit CellMeasurement(const CellMeasurementParams& params) : params_(params) {}
 
   /// Updates states, covariances and intensities of the tracks that are inside.
@@ -101,14 +103,15 @@ class CellMeasurement {
 /// the cells, judges existence by rank, ends, confirms and starts tracks.
 class CellTracker : public CellTargetTracker {
  public:
+  /// @throws std::invalid_argument naming the parameter out of range.
   explicit CellTracker(const CellTrackerParams& params = {});
 
   /// Takes the frame at `time` [s]; times increase. The tracks stay valid until the next call.
   const std::vector<CellTrack>& update(const IntensityFrame& frame, const CellGeometry& geometry,
                                        double time) override;
 
-  const std::vector<CellTrack>& tracks() const { return tracks_; }
-  void reset() override;  ///< Forgets all tracks; ids go on.
+  const std::vector<CellTrack>& tracks() const { return tracks_; }  ///< Valid until the next update.
+  void reset() override;                                            ///< Forgets all tracks; ids go on.
 
  private:
   void predict(double time);

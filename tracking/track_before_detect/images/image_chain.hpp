@@ -25,11 +25,14 @@ class ImageChain {
   ImageChain(const ImageChain&) = delete;
   ImageChain& operator=(const ImageChain&) = delete;
 
+  /// Takes a vehicle state; tracks the images that waited for it.
   void add(const core::VehicleState& state) { intake_.add(state); }
+  /// Takes an image; tracked at once where its pose is known.
   void add(core::SonarImage image) { intake_.add(std::move(image)); }
   void finish() { intake_.finish(); }  ///< There is no more data.
 
-  const IntakeCounts& counts() const { return intake_.counts(); }
+  const IntakeCounts& counts() const { return intake_.counts(); }  ///< Of the intake, since the start.
+  /// Of the data that was believed [us]; 0 before any.
   std::int64_t newest_utime() const { return intake_.newest_utime(); }
 
  private:

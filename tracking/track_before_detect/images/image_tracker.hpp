@@ -17,7 +17,7 @@ namespace lookout::tracking {
 
 /// What the tracker did with the images it was given.
 struct ImageCounts {
-  std::int64_t accepted = 0;
+  std::int64_t accepted = 0;      ///< Images that were tracked.
   std::int64_t damaged = 0;       ///< Wrong size, a value not finite or negative, or a geometry that is none.
   std::int64_t out_of_order = 0;  ///< Not later than the image before.
 };
@@ -37,8 +37,9 @@ class ImageTracker {
   /// the tracks as they were.
   std::span<const core::Track> update(const core::PosedImage& posed);
 
+  /// As after the newest image; valid until the next.
   std::span<const core::Track> tracks() const { return tracks_; }
-  const ImageCounts& counts() const { return counts_; }
+  const ImageCounts& counts() const { return counts_; }  ///< Since the start.
   void reset();  ///< Forgets tracks and time, for a new clock; ids and counts go on.
 
  private:

@@ -17,9 +17,9 @@ struct MatchedFilterParams {
 
 /// One local maximum of the filtered frame.
 struct FramePeak {
-  int column = 0;
-  int row = 0;
-  double value = 0.0;
+  int column = 0;      ///< Of the cell.
+  int row = 0;         ///< Of the cell.
+  double value = 0.0;  ///< Filtered amplitude.
 };
 
 /// The frame filtered with the instrument's signature, and where one value stands among all others. The rank
@@ -29,11 +29,12 @@ class MatchedFilter {
   /// @throws std::invalid_argument naming the parameter out of range.
   explicit MatchedFilter(const MatchedFilterParams& params = {});
 
-  void apply(const IntensityFrame& frame);
+  void apply(const IntensityFrame& frame);  ///< Filters a frame.
   /// Leaves out of the tiling the blocks whose centre lies in one of the windows, so that targets that are
   /// known stand in nobody's way. Until the next `apply`.
   void leave_out(std::span<const CellWindow> windows);
 
+  /// Filtered amplitude of a cell.
   double at(int column, int row) const { return filtered_[index(column, row)]; }
   /// Maximum of the block centred on the cell (clipped at the border).
   double block_maximum(int column, int row) const { return maximum_[index(column, row)]; }
@@ -45,8 +46,8 @@ class MatchedFilter {
   /// strongest first.
   void find_peaks(double threshold, std::vector<FramePeak>& peaks) const;
 
-  int columns() const { return columns_; }
-  int rows() const { return rows_; }
+  int columns() const { return columns_; }  ///< Of the frame at hand.
+  int rows() const { return rows_; }        ///< Of the frame at hand.
 
  private:
   std::size_t index(int column, int row) const {

@@ -19,7 +19,7 @@ enum class PeakDetector {
 /// Detect first, then track: the baselines of track-before-detect. The motion is that of CellMotionParams;
 /// threshold and counts were chosen on development seeds for a like false-track rate at 8 dB.
 struct PeakTrackerParams {
-  PeakDetector detector = PeakDetector::matched_filter;
+  PeakDetector detector = PeakDetector::matched_filter;  ///< What makes a peak.
   MatchedFilterParams filter;  ///< Of PeakDetector::matched_filter, and the neighbourhood of both.
   double threshold = 2.6;      ///< Filtered amplitude [background level], or ratio to the mean, > 0.
   int guard_cells = 4;         ///< Of the cell-averaging window, either side along columns, >= 0.
@@ -37,7 +37,7 @@ struct PeakTrackerParams {
 
 /// The parameters of the registry's `mf_nn` and `cfar_nn`.
 PeakTrackerParams matched_filter_baseline();
-PeakTrackerParams cfar_baseline();
+PeakTrackerParams cfar_baseline();  ///< Cell-averaging constant false-alarm rate.
 
 /// Peaks, global nearest neighbours, a Kalman filter and M-of-N logic.
 class PeakTracker : public CellTargetTracker {
