@@ -30,7 +30,7 @@ class ScanPipeline {
 
   /// The tracks at an earlier scan's time [us], as they are known by now; see Tracker::retrodict.
   std::span<const core::Track> retrodict(std::int64_t utime);
-  bool can_retrodict() const { return tracker_->can_retrodict(); }
+  bool can_retrodict() const { return tracker_->can_retrodict(); }  ///< See Tracker.
 
   void explain_to(DecisionLog log);  ///< See Tracker::explain_to; times are those of the scans.
   std::int64_t next_id() const { return tracker_->next_id(); }      ///< See Tracker.

@@ -39,7 +39,7 @@ class Tracker {
 
   /// The identity that the next new track gets; identities go on from `set_next_id`, before the first scan.
   virtual std::int64_t next_id() const = 0;
-  virtual void set_next_id(std::int64_t id) = 0;
+  virtual void set_next_id(std::int64_t id) = 0;  ///< See `next_id`.
 
   /// Whether `retrodict` has something to say.
   virtual bool can_retrodict() const { return false; }
