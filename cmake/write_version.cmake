@@ -4,7 +4,9 @@ execute_process(COMMAND git -C ${SOURCE_DIR} describe --always --dirty OUTPUT_VA
 if(NOT commit)
   set(commit "release ${RELEASE}")
 endif()
-set(text "#include \"tools/cli/version.hpp\"\n\nstd::string lookout::tools::version() { return \"${commit}\"; }\n")
+string(CONCAT text "#include \"tools/cli/version.hpp\"\n\n"
+            "std::string lookout::tools::release() { return \"${RELEASE}\"; }\n"
+            "std::string lookout::tools::version() { return \"${commit}\"; }\n")
 if(EXISTS ${OUTPUT})
   file(READ ${OUTPUT} before)
 endif()

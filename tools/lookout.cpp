@@ -3,15 +3,43 @@
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <vector>
 
 #include "core/input_error.hpp"
+#include "fusion/fusion_params.hpp"
+#include "tools/cli/configuration.hpp"
+#include "tools/cli/version.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/experiments/experiment_registry.hpp"
+#include "tracking/initiation/initiator_registry.hpp"
+#include "tracking/track_before_detect/frames/frame_tracker_registry.hpp"
+#include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {
 namespace {
 
 constexpr int kFailure = 1;
 constexpr int kBadInput = 2;
+
+/// `WHAT: a b c`, for the help of an option that takes a registry's names.
+template <typename Names>
+std::string one_of(const std::string& what, const Names& names) {
+  std::string text = what + ":";
+  for (const auto& name : names) text.append(" ").append(name);
+  return text;
+}
+
+std::string experiment_choices() {
+  std::vector<std::string> names;
+  for (const auto& entry : experiment_registry()) names.emplace_back(entry.name);
+  return one_of("Which experiment", names);
+}
+
+/// The release, and the commit where it is known.
+std::string version_line() {
+  const std::string commit = version();
+  return "lookout " + release() + (commit == "release " + release() ? "" : " (commit " + commit + ")");
+}
 
 // Flags that several commands share, each described once.
 
@@ -35,8 +63,8 @@ void add_scoring(CLI::App& app, Options& options) {
 
 void add_tracking(CLI::App& app, Options& options) {
   app.add_option("--config", options.config, "Configuration YAML");
-  app.add_option("--estimator", options.estimator, "Estimator by name");
-  app.add_option("--tracker", options.tracker, "Tracker by name");
+  app.add_option("--estimator", options.estimator, one_of("Estimator", estimator_choices()));
+  app.add_option("--tracker", options.tracker, one_of("Tracker", tracking::tracker_names()));
   app.add_option("--lag", options.lag, "Delayed output: tracks as they are known so much later [s]");
   app.add_flag("--explain", options.explain, "One line a track decision on stderr");
 }
@@ -80,7 +108,9 @@ void declare_track(CLI::App& app, Options& options) {
 }
 
 void declare_fuse(CLI::App& app, Options& options) {
-  app.add_option("--method", options.method, "Fusion method (default: the configuration's, else learned)");
+  app.add_option(
+      "--method", options.method,
+      one_of("Method (default: the configuration's, else learned)", fusion::fusion_method_names()));
   app.add_option("--config", options.config, "Configuration YAML");
   app.add_option("--seed", options.seed, "Of random draws; no method of today draws")->capture_default_str();
   add_live(app, options);
@@ -111,7 +141,7 @@ void declare_ospa(CLI::App& app, Options& options) {
 }
 
 void declare_tbd(CLI::App& app, Options& options) {
-  app.add_option("METHOD", options.method, "h_pmht, i_h_pmht_4, i_h_pmht_1 or immpda_ai")->required();
+  app.add_option("METHOD", options.method, one_of("Method", tracking::frame_tracker_names()))->required();
   app.add_option("FRAMES_DIR", options.inputs, "Directory of PGM frames, taken in order of name")
       ->expected(1)
       ->required();
@@ -121,14 +151,14 @@ void declare_tbd(CLI::App& app, Options& options) {
 }
 
 void declare_initiate(CLI::App& app, Options& options) {
-  app.add_option("METHOD", options.method, "Initiator by name")->required();
+  app.add_option("METHOD", options.method, one_of("Initiator", tracking::initiator_names()))->required();
   app.add_option("POINTS", options.inputs, "CSV of scan,time_s,x_m,y_m")->expected(1)->required();
   app.add_option("--out", options.out, "TRACKS.csv to write");
   app.add_option("--config", options.config, "Configuration YAML; its `initiator:` part is used");
 }
 
 void declare_experiment(CLI::App& app, Options& options) {
-  app.add_option("NAME", options.method, "Which experiment");
+  app.add_option("NAME", options.method, experiment_choices());
   add_out(app, options);
   add_seed(app, options);
   app.add_flag("--list", options.list, "Name the experiments and stop");
@@ -188,6 +218,7 @@ int run(int argc, char** argv) {
   Options options;
   CLI::App app("Lookout: what moves around an underwater vehicle, from the returns of its sonar.", "lookout");
   app.require_subcommand(1);
+  app.set_version_flag("--version", version_line);
   const Command* chosen = nullptr;
   for (const auto& command : kCommands) {
     auto* sub = app.add_subcommand(command.name, command.summary);
@@ -201,6 +232,8 @@ int run(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::CallForAllHelp& help) {
     return app.exit(help);
+  } catch (const CLI::CallForVersion& version) {
+    return app.exit(version);
   } catch (const CLI::ParseError& error) {
     return report(error.what(), kBadInput);
   }

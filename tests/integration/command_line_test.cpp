@@ -16,6 +16,25 @@ TEST(CommandLine, HelpShowsAnExampleFirst) {
   }
 }
 
+TEST(CommandLine, VersionIsOneLineOfReleaseAndCommit) {
+  const auto result = run_lookout("--version");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_TRUE(result.out.starts_with("lookout 0.")) << result.out;
+  EXPECT_EQ(std::count(result.out.begin(), result.out.end(), '\n'), 1) << result.out;
+}
+
+TEST(CommandLine, HelpOfANameOptionListsTheNames) {
+  const std::pair<std::string, std::string> cases[] = {{"run", "joint"},
+                                                       {"track", "h_pmht"},
+                                                       {"replay", "gnn"},
+                                                       {"fuse", "sdf_fixed"},
+                                                       {"tbd", "i_h_pmht_4"},
+                                                       {"initiate", "nht_plus"},
+                                                       {"experiment", "csht-window"}};
+  for (const auto& [command, name] : cases)
+    EXPECT_NE(run_lookout(command + " --help").out.find(name), std::string::npos) << command;
+}
+
 TEST(CommandLine, BadUsageIsStatusTwoAndOneLine) {
   for (const std::string arguments :
        {"", "fly", "ospa", "experiment --runs 0", "experiment --runs many", "run --xyz"}) {

@@ -70,15 +70,19 @@ void check_lag(const Configuration& configuration) {
 
 }  // namespace
 
+std::vector<std::string> estimator_choices() {
+  std::vector<std::string> names = csht::estimator_names();
+  names.emplace_back(kImageEstimator);
+  return names;
+}
+
 Configuration load_configuration(const Options& options) {
   Configuration configuration;
   configuration.tracker.name = kDefaultTracker;
   configuration.estimator.name.clear();  // not chosen yet
   if (!options.config.empty())
     read_configuration(core::YamlMap::load_file(options.config), options.tracker, configuration);
-  std::vector<std::string> estimators = csht::estimator_names();
-  estimators.emplace_back(kImageEstimator);
-  apply_name("--estimator", options.estimator, estimators, configuration.estimator.name);
+  apply_name("--estimator", options.estimator, estimator_choices(), configuration.estimator.name);
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
   configuration.explain = options.explain;
   configuration.lag = lag_of(options);

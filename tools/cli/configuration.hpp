@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "core/sonar_params.hpp"
 #include "csht/estimator_registry.hpp"
@@ -22,6 +24,9 @@ struct Configuration {
   std::int64_t lag = 0;  ///< Delay of the output [us], in [0, tracking::ChainParams::kMaxLag].
   fusion::FusionParams fusion;
 };
+
+/// What --estimator accepts: the registry's names and the method of raw images.
+std::vector<std::string> estimator_choices();
 
 /// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.
 /// @throws core::InputError naming file, line, column and key, or the flag.
