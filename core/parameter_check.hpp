@@ -1,15 +1,18 @@
 #pragma once
 
-#include <stdexcept>
-#include <string>
+#include <string_view>
 
 namespace lookout::core {
 
-/// Checks a parameter at construction: throws `RULE, got VALUE` unless it holds.
+/// Checks a parameter at construction.
 /// @param rule names the parameter and what is accepted: "rho_step must be > 0".
-/// @throws std::invalid_argument unless `holds`.
-inline void require(bool holds, const char* rule, double value) {
-  if (!holds) throw std::invalid_argument(std::string(rule) + ", got " + std::to_string(value));
-}
+/// @throws std::invalid_argument `RULE, got VALUE` unless `holds`.
+void require(bool holds, std::string_view rule, double value);
+
+/// @throws std::invalid_argument `NAME must be > 0 and finite, got VALUE` unless it is.
+void require_positive(std::string_view name, double value);
+
+/// @throws std::invalid_argument `NAME must be >= 0, got VALUE` unless it is.
+void require_not_negative(std::string_view name, double value);
 
 }  // namespace lookout::core

@@ -26,6 +26,9 @@ double log_echo_density(const WindowSample& sample, const Eigen::Vector2d& p_ear
 }  // namespace
 
 CountDecision::CountDecision(const CountDecisionParams& params) : params_(params) {
+  core::require(std::isfinite(params.min_evidence), "min_evidence must be finite", params.min_evidence);
+  core::require(std::isfinite(params.offered_evidence), "offered_evidence must be finite",
+                params.offered_evidence);
   core::require(params.min_support > 0, "min_support must be > 0", params.min_support);
   core::require(params.offered_support > 0, "offered_support must be > 0", params.offered_support);
   core::require(params.relative_support >= 0.0 && params.relative_support <= 1.0,

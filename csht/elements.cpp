@@ -1,12 +1,13 @@
 #include "csht/elements.hpp"
 
+#include "core/constant_velocity.hpp"
+
 namespace lookout::csht {
 
 core::MotionElement to_element(const Candidate& candidate, const HoughWindow& window, double epoch) {
   const auto& first = window.scans().front();
   const auto& last = window.scans().back();
-  Eigen::Matrix4d transition = Eigen::Matrix4d::Identity();
-  transition(0, 2) = transition(1, 3) = last.time - epoch;
+  const Eigen::Matrix4d transition = core::constant_velocity_transition(last.time - epoch);
   core::MotionElement element;
   element.initial_utime = first.utime;
   element.initial_position = candidate.position(first.time - epoch);

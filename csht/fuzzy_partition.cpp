@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -59,8 +59,7 @@ FeaturePoint WeightedPoints::mean() const {
 }
 
 FuzzyPartition::FuzzyPartition(double fuzzifier) : fuzzifier_(fuzzifier), squares_(fuzzifier == 2.0) {
-  if (!(fuzzifier > 1.0))
-    throw std::invalid_argument("fuzzifier must be > 1, got " + std::to_string(fuzzifier));
+  core::require(fuzzifier > 1.0, "fuzzifier must be > 1", fuzzifier);
 }
 
 // [Yan2018] Eq. (22) for the points of one block, mu_i = a_i / sum a with a = d^(-2/(m-1)): the affinities a

@@ -3,29 +3,24 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::csht {
 namespace {
 
-void require_positive(const char* name, double value) {
-  if (!(value > 0.0 && std::isfinite(value)))
-    throw std::invalid_argument(std::string(name) + " must be > 0, got " + std::to_string(value));
-}
-
 const HoughGrid& validated(const HoughGrid& grid) {
-  require_positive("velocity_step", grid.velocity_step);
-  require_positive("intercept_step", grid.intercept_step);
-  require_positive("max_speed", grid.max_speed);
-  require_positive("extent", grid.extent);
+  core::require_positive("velocity_step", grid.velocity_step);
+  core::require_positive("intercept_step", grid.intercept_step);
+  core::require_positive("max_speed", grid.max_speed);
+  core::require_positive("extent", grid.extent);
   return grid;
 }
 
 VoteKernel make_kernel(const HoughGrid& grid, const VoteParams& params, double min_width, double max_sigma) {
-  require_positive("vote width", params.width);
-  require_positive("vote min_width", params.min_width);
+  core::require_positive("vote width", params.width);
+  core::require_positive("vote min_width", params.min_width);
   if (!params.fuzzy) return VoteKernel::plain();
   return VoteKernel::gaussian(min_width / grid.intercept_step,
                               std::max(min_width, params.width * max_sigma) / grid.intercept_step);

@@ -1,19 +1,17 @@
 #include "csht/hough_window.hpp"
 
 #include <cmath>
-#include <stdexcept>
 
 #include "core/field_of_view.hpp"
+#include "core/parameter_check.hpp"
 #include "csht/scan_to_detections.hpp"
 
 namespace lookout::csht {
 
 HoughWindow::HoughWindow(int window_scans, const core::SonarParams& sonar, double cross_floor)
     : window_scans_(window_scans), sonar_(sonar), cross_floor_(cross_floor) {
-  if (window_scans < 1)
-    throw std::invalid_argument("window_scans must be > 0, got " + std::to_string(window_scans));
-  if (!(cross_floor >= 0.0))
-    throw std::invalid_argument("cross_floor must be >= 0, got " + std::to_string(cross_floor));
+  core::require(window_scans >= 1, "window_scans must be > 0", window_scans);
+  core::require(cross_floor >= 0.0, "cross_floor must be >= 0", cross_floor);
   const auto returns = static_cast<std::size_t>(sonar.num_beams);
   scans_.reserve(static_cast<std::size_t>(window_scans));
   samples_.reserve(returns * static_cast<std::size_t>(window_scans));

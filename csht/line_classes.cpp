@@ -1,7 +1,6 @@
 #include "csht/line_classes.hpp"
 
-#include <stdexcept>
-#include <string>
+#include "core/parameter_check.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -15,10 +14,9 @@ FeaturePoint feature_of(const VoteCell& cell, const HoughGrid& grid, double cent
 }  // namespace
 
 LineClasses::LineClasses(const LineClassesParams& params) : params_(params), isodata_(params.isodata) {
-  if (params.max_first < 1)
-    throw std::invalid_argument("max_first must be > 0, got " + std::to_string(params.max_first));
-  if (!(params.first_apart >= 0.0))
-    throw std::invalid_argument("first_apart must be >= 0, got " + std::to_string(params.first_apart));
+  params.threshold.validate();
+  core::require(params.max_first >= 1, "max_first must be > 0", params.max_first);
+  core::require(params.first_apart >= 0.0, "first_apart must be >= 0", params.first_apart);
 }
 
 std::span<const Line> LineClasses::find(const HoughSpace& space, double time, double centre) {

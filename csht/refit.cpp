@@ -2,22 +2,17 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::csht {
 
 Refit::Refit(const RefitParams& params) : params_(params) {
-  for (const double slack : params.slack)
-    if (!(slack >= 0.0)) throw std::invalid_argument("slack must be >= 0, got " + std::to_string(slack));
-  if (!(params.gate > 0.0))
-    throw std::invalid_argument("gate must be > 0, got " + std::to_string(params.gate));
-  if (params.min_support < 2)
-    throw std::invalid_argument("min_support must be >= 2, got " + std::to_string(params.min_support));
-  if (!(params.max_speed > 0.0))
-    throw std::invalid_argument("max_speed must be > 0, got " + std::to_string(params.max_speed));
-  if (!(params.velocity_sigma >= 0.0))
-    throw std::invalid_argument("velocity_sigma must be >= 0, got " + std::to_string(params.velocity_sigma));
+  for (const double slack : params.slack) core::require(slack >= 0.0, "slack must be >= 0", slack);
+  core::require(params.gate > 0.0, "gate must be > 0", params.gate);
+  core::require(params.min_support >= 2, "min_support must be >= 2", params.min_support);
+  core::require(params.max_speed > 0.0, "max_speed must be > 0", params.max_speed);
+  core::require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
 }
 
 bool Refit::fit(Candidate& candidate, const HoughWindow& window, double epoch,

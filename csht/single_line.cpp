@@ -1,20 +1,18 @@
 #include "csht/single_line.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
+#include "core/parameter_check.hpp"
 #include "csht/vote_peaks.hpp"
 
 namespace lookout::csht {
 
 SingleLine::SingleLine(const SingleLineParams& params, HoughSpace space)
     : params_(params), space_(std::move(space)) {
-  if (!(params.peak_share >= 0.0 && params.peak_share < 1.0))
-    throw std::invalid_argument("peak_share must be in [0, 1), got " + std::to_string(params.peak_share));
-  if (!(params.radius >= 0.0))
-    throw std::invalid_argument("radius must be >= 0, got " + std::to_string(params.radius));
+  core::require(params.peak_share >= 0.0 && params.peak_share < 1.0, "peak_share must be in [0, 1)",
+                params.peak_share);
+  core::require(params.radius >= 0.0, "radius must be >= 0", params.radius);
 }
 
 std::optional<Line> SingleLine::extract(std::span<const LineSample> samples, double time, double centre) {

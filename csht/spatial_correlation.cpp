@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <utility>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -18,12 +18,9 @@ double residual(const Line& line, const LineSample& sample, double time) {
 SpatialCorrelation::SpatialCorrelation(const SpatialCorrelationParams& params, double range_sigma,
                                        SingleLine single_line)
     : params_(params), range_sigma_(range_sigma), single_line_(std::move(single_line)) {
-  if (!(params.gate > 0.0))
-    throw std::invalid_argument("gate must be > 0, got " + std::to_string(params.gate));
-  if (params.max_lines < 1)
-    throw std::invalid_argument("max_lines must be > 0, got " + std::to_string(params.max_lines));
-  if (params.min_samples < 1)
-    throw std::invalid_argument("min_samples must be > 0, got " + std::to_string(params.min_samples));
+  core::require(params.gate > 0.0, "gate must be > 0", params.gate);
+  core::require(params.max_lines >= 1, "max_lines must be > 0", params.max_lines);
+  core::require(params.min_samples >= 1, "min_samples must be > 0", params.min_samples);
 }
 
 std::span<const Line> SpatialCorrelation::second_lines(const Line& first, std::span<const LineSample> along,

@@ -4,7 +4,16 @@
 #include <cmath>
 #include <tuple>
 
+#include "core/parameter_check.hpp"
+
 namespace lookout::csht {
+
+void PrimaryThresholdParams::validate() const {
+  core::require(peak_share >= 0.0 && peak_share < 1.0, "peak_share must be in [0, 1)", peak_share);
+  core::require_not_negative("floor", floor);
+  core::require_not_negative("mean_factor", mean_factor);
+  core::require_not_negative("mean_root", mean_root);
+}
 
 double primary_threshold(const PrimaryThresholdParams& params, const VoteStatistics& statistics) {
   return std::max({params.peak_share * statistics.peak, params.floor,

@@ -14,6 +14,9 @@ struct PrimaryThresholdParams {
   double floor = 1.5;        ///< Votes, >= 0.
   double mean_factor = 1.0;  ///< Of the mean over the filled cells, >= 0.
   double mean_root = 0.5;  ///< Of that mean's square root (its Poisson spread), >= 0; carries heavy clutter.
+
+  /// @throws std::invalid_argument naming the value out of range.
+  void validate() const;
 };
 
 /// lambda for a vote matrix of these statistics [votes].

@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "core/frames.hpp"
-#include "fusion/parameter_check.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::fusion {
 
 FusionClock::FusionClock(const FusionClockParams& params) : params_(params) {
-  require_positive("clock_tolerance", params.tolerance);
-  require("consistent", params.consistent, params.consistent >= 1, ">= 1");
+  core::require_positive("clock_tolerance", params.tolerance);
+  core::require(params.consistent >= 1, "consistent must be >= 1", params.consistent);
 }
 
 bool FusionClock::close(std::int64_t a, std::int64_t b) const {

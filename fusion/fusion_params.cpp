@@ -31,8 +31,7 @@ void read_association(const core::YamlMap& map, AssociationParams& params) {
 void read_link(const core::YamlMap& map, tracking::LocalEstimateSenderParams& params) {
   params.with_covariance = map.flag("send_covariance", params.with_covariance);
   params.bytes_per_second = map.number("bytes_per_second", params.bytes_per_second, core::kPositive);
-  const double message = tracking::message_bytes(params.with_covariance);
-  params.burst_bytes = std::max(message, kBurst * params.bytes_per_second);
+  params.burst_bytes = kBurst * params.bytes_per_second;
 }
 
 }  // namespace

@@ -3,19 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusion/parameter_check.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::fusion {
 
 GlobalTracks::GlobalTracks(const GlobalTracksParams& params) : params_(params), pairings_(params.probation) {
-  require("birth_estimates", params.birth_estimates, params.birth_estimates >= 2, ">= 2");
-  require("coast", params.coast, params.coast >= 0.0, ">= 0");
-  require("local_trust", params.local_trust, params.local_trust > 0.0 && params.local_trust < 1.0,
-          "in (0, 1)");
-  require("merge_threshold", params.merge_threshold,
-          params.merge_threshold > 0.0 && params.merge_threshold <= 1.0, "in (0, 1]");
-  require("merge_updates", params.merge_updates, params.merge_updates >= 1, ">= 1");
-  require("probation", params.probation, params.probation >= 1, ">= 1");
+  core::require(params.birth_estimates >= 2, "birth_estimates must be >= 2", params.birth_estimates);
+  core::require(params.coast >= 0.0, "coast must be >= 0", params.coast);
+  core::require(params.local_trust > 0.0 && params.local_trust < 1.0, "local_trust must be in (0, 1)",
+                params.local_trust);
+  core::require(params.merge_threshold > 0.0 && params.merge_threshold <= 1.0,
+                "merge_threshold must be in (0, 1]", params.merge_threshold);
+  core::require(params.merge_updates >= 1, "merge_updates must be >= 1", params.merge_updates);
+  core::require(params.probation >= 1, "probation must be >= 1", params.probation);
 }
 
 void GlobalTracks::clear() {
@@ -37,12 +37,12 @@ void GlobalTracks::predict(std::int64_t utime) {
     TrackGroup& support = supports_[g];
     support.utime = utime;
     support.previous = tracks_[g].state;
-    support.predicted = moved(support.previous, dt);
+    support.predicted = core::moved(support.previous, dt);
     support.is_new = false;
     voices_[g].clear();
     for (const Contribution& voice : support.contributions)
       voices_[g].push_back(
-          {voice.track->key(), moved(voice.current, dt), pairings_.trusted_in(*voice.track) >= 0});
+          {voice.track->key(), core::moved(voice.current, dt), pairings_.trusted_in(*voice.track) >= 0});
     support.contributions.clear();
     listeners_[g].clear();
     predicted_[g] = support.predicted;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "fusion/parameter_check.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::fusion {
 namespace {
@@ -25,13 +25,13 @@ double own_share(double own, double aging, double total) {
 }  // namespace
 
 LearnedGeometry::LearnedGeometry(const LearnedGeometryParams& params) : params_(params) {
-  require_positive("range_sigma", params.range_sigma);
-  require_positive("bearing_sigma", params.bearing_sigma);
-  require("window_updates", params.window_updates, params.window_updates >= 1, ">= 1");
-  require("iterations", params.iterations, params.iterations >= 1, ">= 1");
-  require("pseudo_samples", params.pseudo_samples, params.pseudo_samples >= 0.0, ">= 0");
-  require("velocity_sigma", params.velocity_sigma, params.velocity_sigma >= 0.0, ">= 0");
-  require_positive("least_share", params.least_share);
+  core::require_positive("range_sigma", params.range_sigma);
+  core::require_positive("bearing_sigma", params.bearing_sigma);
+  core::require(params.window_updates >= 1, "window_updates must be >= 1", params.window_updates);
+  core::require(params.iterations >= 1, "iterations must be >= 1", params.iterations);
+  core::require(params.pseudo_samples >= 0.0, "pseudo_samples must be >= 0", params.pseudo_samples);
+  core::require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
+  core::require_positive("least_share", params.least_share);
   least_ = {std::pow(params.least_share * params.range_sigma, 2),
             std::pow(params.least_share * params.bearing_sigma, 2)};
   reset();

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "core/constant_velocity.hpp"
 #include "core/frames.hpp"
-#include "fusion/constant_velocity.hpp"
 #include "fusion/estimate_limits.hpp"
 
 namespace lookout::fusion {
@@ -50,7 +50,7 @@ class LocalTrack {
   /// Seconds from the newest estimate to `utime`.
   double age(std::int64_t utime) const { return core::seconds(utime - newest().utime); }
   /// The newest estimate carried to `utime` at its own velocity.
-  Eigen::Vector4d state_at(std::int64_t utime) const { return moved(newest().state, age(utime)); }
+  Eigen::Vector4d state_at(std::int64_t utime) const { return core::moved(newest().state, age(utime)); }
 
  private:
   std::array<LocalEstimate, kMemory> kept_;

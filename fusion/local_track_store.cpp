@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "fusion/parameter_check.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::fusion {
 namespace {
@@ -13,14 +13,15 @@ constexpr double kRhythmGain = 0.1;
 }  // namespace
 
 LocalTrackStore::LocalTrackStore(const LocalTrackStoreParams& params) : params_(params) {
-  require_positive("max_gap", params.max_gap);
-  require_positive("max_age", params.max_age);
-  require_positive("min_silence", params.min_silence);
-  require("silent_rounds", params.silent_rounds, params.silent_rounds > 1.0, "> 1");
-  require("skips", params.skips, params.skips >= 1 && params.skips < static_cast<int>(LocalTrack::kMemory),
-          "1 to 7");
-  require("forget_after", params.forget_after, params.forget_after >= params.max_age, ">= max_age");
-  require("max_tracks", static_cast<double>(params.max_tracks), params.max_tracks >= 1, ">= 1");
+  core::require_positive("max_gap", params.max_gap);
+  core::require_positive("max_age", params.max_age);
+  core::require_positive("min_silence", params.min_silence);
+  core::require(params.silent_rounds > 1.0, "silent_rounds must be > 1", params.silent_rounds);
+  core::require(params.skips >= 1 && params.skips < static_cast<int>(LocalTrack::kMemory),
+                "skips must be 1 to 7", params.skips);
+  core::require(params.forget_after >= params.max_age, "forget_after must be >= max_age",
+                params.forget_after);
+  core::require(params.max_tracks >= 1, "max_tracks must be >= 1", static_cast<double>(params.max_tracks));
 }
 
 Intake LocalTrackStore::add(const LocalEstimate& estimate) {

@@ -3,18 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::sonar_sim {
 namespace {
 
 constexpr double kPulseReach = 5.0;  // standard deviations; beyond, the pulse is below 4e-6
-
-void require_positive(double value, const char* name) {
-  if (!(value > 0.0))
-    throw std::invalid_argument(std::string(name) + " must be > 0, got " + std::to_string(value));
-}
 
 }  // namespace
 
@@ -23,17 +18,16 @@ double ImagePlan::background_level(double range) const {
 }
 
 void check(const ImagePlan& plan) {
-  require_positive(plan.num_bins, "num_bins");
-  require_positive(plan.first_range, "first_range");
-  require_positive(plan.range_step, "range_step");
-  require_positive(plan.beam_null, "beam_null");
-  require_positive(plan.pulse_sigma, "pulse_sigma");
-  require_positive(plan.shape.value_or(1.0), "shape");
-  require_positive(plan.noise_level, "noise_level");
-  require_positive(plan.reverberation_range, "reverberation_range");
-  if (!(plan.reverberation_level >= 0.0))
-    throw std::invalid_argument("reverberation_level must be >= 0, got " +
-                                std::to_string(plan.reverberation_level));
+  core::require_positive("num_bins", plan.num_bins);
+  core::require_positive("first_range", plan.first_range);
+  core::require_positive("range_step", plan.range_step);
+  core::require_positive("beam_null", plan.beam_null);
+  core::require_positive("pulse_sigma", plan.pulse_sigma);
+  core::require_positive("shape", plan.shape.value_or(1.0));
+  core::require_positive("noise_level", plan.noise_level);
+  core::require_positive("reverberation_range", plan.reverberation_range);
+  core::require(plan.reverberation_level >= 0.0, "reverberation_level must be >= 0",
+                plan.reverberation_level);
 }
 
 core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& plan) {

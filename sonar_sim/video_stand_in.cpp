@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::sonar_sim {
 namespace {
@@ -88,16 +88,13 @@ void scale_to_sigma(std::vector<double>& texture, double sigma) {
 }
 
 void check(const VideoStandInParams& p) {
-  const auto require = [](bool holds, const char* text, double value) {
-    if (!holds) throw std::invalid_argument(std::string(text) + ", got " + std::to_string(value));
-  };
-  require(p.num_samples >= 2, "num_samples must be >= 2", p.num_samples);
-  require(p.cloud_sigma >= 0.0, "cloud_sigma must be >= 0", p.cloud_sigma);
-  require(p.tree_sigma >= 0.0, "tree_sigma must be >= 0", p.tree_sigma);
-  require(p.jitter >= 0.0, "jitter must be >= 0", p.jitter);
-  require(p.camera_sigma >= 0.0, "camera_sigma must be >= 0", p.camera_sigma);
-  require(p.num_movers >= 0, "num_movers must be >= 0", p.num_movers);
-  require(p.mover_area > 0.0, "mover_area must be > 0", p.mover_area);
+  core::require(p.num_samples >= 2, "num_samples must be >= 2", p.num_samples);
+  core::require(p.cloud_sigma >= 0.0, "cloud_sigma must be >= 0", p.cloud_sigma);
+  core::require(p.tree_sigma >= 0.0, "tree_sigma must be >= 0", p.tree_sigma);
+  core::require(p.jitter >= 0.0, "jitter must be >= 0", p.jitter);
+  core::require(p.camera_sigma >= 0.0, "camera_sigma must be >= 0", p.camera_sigma);
+  core::require(p.num_movers >= 0, "num_movers must be >= 0", p.num_movers);
+  core::require(p.mover_area > 0.0, "mover_area must be > 0", p.mover_area);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 #include "tracking/csht_tracker.hpp"
 
-#include <stdexcept>
-
 #include "core/field_of_view.hpp"
+#include "core/parameter_check.hpp"
 #include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
 #include "tracking/initiation/proposed_births.hpp"
@@ -20,9 +19,8 @@ CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParam
       manoeuvre_(params.manoeuvre),
       smoother_(params.smoother) {
   params.motion.validate();
-  if (!(params.min_existence >= 0.0 && params.min_existence <= 1.0))
-    throw std::invalid_argument("min_existence must be in [0, 1], got " +
-                                std::to_string(params.min_existence));
+  core::require(params.min_existence >= 0.0 && params.min_existence <= 1.0, "min_existence must be in [0, 1]",
+                params.min_existence);
 }
 
 std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan,

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 
+#include "core/parameter_check.hpp"
 #include "csht/candidate.hpp"
 #include "csht/elements.hpp"
 
@@ -28,10 +27,10 @@ HoughSpace make_space(const CshtPrintedParams& params, const core::SonarParams& 
 }
 
 const CshtPrintedParams& validated(const CshtPrintedParams& params) {
-  if (params.window_scans < 3 || params.window_scans > kMaxWindowScans)
-    throw std::invalid_argument("window_scans must be 3 to 100, got " + std::to_string(params.window_scans));
-  if (params.first_classes < 1)
-    throw std::invalid_argument("first_classes must be > 0, got " + std::to_string(params.first_classes));
+  core::require(params.window_scans >= 3 && params.window_scans <= kMaxWindowScans,
+                "window_scans must be 3 to 100", params.window_scans);
+  params.threshold.validate();
+  core::require(params.first_classes >= 1, "first_classes must be > 0", params.first_classes);
   return params;
 }
 

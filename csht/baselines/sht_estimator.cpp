@@ -1,8 +1,6 @@
 #include "csht/baselines/sht_estimator.hpp"
 
-#include <stdexcept>
-#include <string>
-
+#include "core/parameter_check.hpp"
 #include "csht/candidate.hpp"
 #include "csht/elements.hpp"
 
@@ -19,14 +17,12 @@ HoughSpace make_space(const ShtParams& params, const core::SonarParams& sonar) {
 }
 
 const ShtParams& validated(const ShtParams& params) {
-  if (params.window_scans < 3 || params.window_scans > kMaxWindowScans)
-    throw std::invalid_argument("window_scans must be 3 to 100, got " + std::to_string(params.window_scans));
-  if (!(params.threshold > 0.0 && params.threshold < 1.0))
-    throw std::invalid_argument("threshold must be in (0, 1), got " + std::to_string(params.threshold));
-  if (!(params.apart >= 0.0))
-    throw std::invalid_argument("apart must be >= 0, got " + std::to_string(params.apart));
-  if (params.max_targets < 1)
-    throw std::invalid_argument("max_targets must be > 0, got " + std::to_string(params.max_targets));
+  core::require(params.window_scans >= 3 && params.window_scans <= kMaxWindowScans,
+                "window_scans must be 3 to 100", params.window_scans);
+  core::require(params.threshold > 0.0 && params.threshold < 1.0, "threshold must be in (0, 1)",
+                params.threshold);
+  core::require(params.apart >= 0.0, "apart must be >= 0", params.apart);
+  core::require(params.max_targets >= 1, "max_targets must be > 0", params.max_targets);
   return params;
 }
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::csht {
 
@@ -11,7 +11,7 @@ ScanHistory::ScanHistory(const SensorFigures& figures, const SensorModelParams& 
     : figures_(figures), model_(model) {
   validate(figures);
   validate(model);
-  if (capacity < 1) throw std::invalid_argument("capacity must be >= 1, got " + std::to_string(capacity));
+  core::require(capacity >= 1, "capacity must be >= 1", capacity);
   tables_.resize(static_cast<std::size_t>(capacity));
 }
 

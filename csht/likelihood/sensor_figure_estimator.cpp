@@ -92,6 +92,12 @@ SensorFigureEstimator::SensorFigureEstimator(const SensorFigureParams& params, c
     : params_(params), given_(given), figures_(figures_of(given)), num_beams_(given.num_beams) {
   core::require(params.memory_scans > 1.0, "memory_scans must be > 1", params.memory_scans);
   core::require(params.settle_scans >= 1, "settle_scans must be >= 1", params.settle_scans);
+  core::require(params.sure_existence >= 0.0 && params.sure_existence <= 1.0,
+                "sure_existence must be in [0, 1]", params.sure_existence);
+  core::require(params.unknown_miss > 0.0 && params.unknown_miss < 1.0, "unknown_miss must be in (0, 1)",
+                params.unknown_miss);
+  core::require(params.unknown_false_alarm > 0.0 && params.unknown_false_alarm < 1.0,
+                "unknown_false_alarm must be in (0, 1)", params.unknown_false_alarm);
   core::require(params.doubt_sigmas > 0.0, "doubt_sigmas must be > 0", params.doubt_sigmas);
   core::require(params.prior_weight > 0.0, "prior_weight must be > 0", params.prior_weight);
   core::require(params.sigma_weight > 0.0, "sigma_weight must be > 0", params.sigma_weight);

@@ -28,8 +28,9 @@ struct SensorFigureParams {
   int settle_scans = 10;        ///< Scans after which a trajectory tells an echo from a miss, >= 1.
   double sure_existence = 0.9;  ///< Least existence of a target that teaches P_M and sigma, in [0, 1].
   double doubt_sigmas = 4.0;    ///< A given figure farther than this from its estimate is not used, > 0.
-  double unknown_miss = 0.5;    ///< P_M before anything is learnt: it costs little wherever the truth is.
-  double unknown_false_alarm = 0.2;  ///< P_F likewise; one scan outweighs it.
+  double unknown_miss =
+      0.5;  ///< P_M before anything is learnt, in (0, 1): it costs little wherever the truth is.
+  double unknown_false_alarm = 0.2;  ///< P_F likewise, in (0, 1); one scan outweighs it.
   double prior_weight = 4.0;         ///< Of these two, in trials, > 0.
   double sigma_weight = 20.0;        ///< Of the given range sigma, in echoes, > 0.
 };

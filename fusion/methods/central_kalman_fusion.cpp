@@ -3,7 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "fusion/parameter_check.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::fusion {
 namespace {
@@ -22,8 +22,8 @@ Eigen::Matrix4d positive_part(const Eigen::Matrix4d& matrix) {
 }  // namespace
 
 CentralKalmanFusion::CentralKalmanFusion(const KalmanModel& model) : model_(model) {
-  require("process_noise", model.process_noise, model.process_noise >= 0.0, ">= 0");
-  require_positive("velocity_sigma", model.velocity_sigma);
+  core::require(model.process_noise >= 0.0, "process_noise must be >= 0", model.process_noise);
+  core::require_positive("velocity_sigma", model.velocity_sigma);
 }
 
 std::span<const FusedState> CentralKalmanFusion::fuse(std::span<const TrackGroup> groups) {
@@ -51,10 +51,11 @@ CentralKalmanFusion::Information CentralKalmanFusion::told_by(const LocalTrack& 
   if (place + 1 < track.size()) {
     const LocalEstimate& older = track.back(place + 1);
     const double dt = core::seconds(newer.utime - older.utime);
-    const Eigen::Matrix4d F = transition(dt);
+    const Eigen::Matrix4d F = core::constant_velocity_transition(dt);
     before.matrix =
-        (F * *older.covariance * F.transpose() + process_noise(dt, model_.process_noise)).inverse();
-    before.vector = before.matrix * moved(older.state, dt);
+        (F * *older.covariance * F.transpose() + core::white_acceleration_noise(dt, model_.process_noise))
+            .inverse();
+    before.vector = before.matrix * core::moved(older.state, dt);
   }
   const Eigen::Matrix4d after = newer.covariance->inverse();
   const Eigen::Matrix4d matrix = after - before.matrix;
@@ -86,10 +87,11 @@ void CentralKalmanFusion::predict(Filter& filter, std::int64_t utime) const {
   const double dt = core::seconds(utime - filter.utime);
   filter.utime = utime;
   if (filter.belief.matrix.topLeftCorner<2, 2>().isZero()) return;  // No position yet: nothing moves.
-  const Eigen::Matrix4d F = transition(dt);
+  const Eigen::Matrix4d F = core::constant_velocity_transition(dt);
   const Eigen::Matrix4d covariance = filter.belief.matrix.inverse();
-  const Eigen::Vector4d state = moved(covariance * filter.belief.vector, dt);
-  filter.belief.matrix = (F * covariance * F.transpose() + process_noise(dt, model_.process_noise)).inverse();
+  const Eigen::Vector4d state = core::moved(covariance * filter.belief.vector, dt);
+  filter.belief.matrix =
+      (F * covariance * F.transpose() + core::white_acceleration_noise(dt, model_.process_noise)).inverse();
   filter.belief.vector = filter.belief.matrix * state;
 }
 
@@ -105,9 +107,10 @@ FusedState CentralKalmanFusion::fuse_group(const TrackGroup& group) {
     filter.belief.vector += event.added.vector;
   }
   const double dt = core::seconds(group.utime - filter.utime);
-  const Eigen::Matrix4d F = transition(dt), covariance = filter.belief.matrix.inverse();
-  return {moved(covariance * filter.belief.vector, dt),
-          F * covariance * F.transpose() + process_noise(dt, model_.process_noise)};
+  const Eigen::Matrix4d F = core::constant_velocity_transition(dt),
+                        covariance = filter.belief.matrix.inverse();
+  return {core::moved(covariance * filter.belief.vector, dt),
+          F * covariance * F.transpose() + core::white_acceleration_noise(dt, model_.process_noise)};
 }
 
 }  // namespace lookout::fusion

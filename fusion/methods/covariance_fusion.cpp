@@ -2,18 +2,18 @@
 
 #include <Eigen/LU>
 
-#include "fusion/parameter_check.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::fusion {
 
 Eigen::Matrix4d covariance_at(const LocalTrack& track, std::int64_t utime, double q) {
   const double age = std::max(0.0, track.age(utime));
-  const Eigen::Matrix4d F = transition(age);
-  return F * *track.newest().covariance * F.transpose() + process_noise(age, q);
+  const Eigen::Matrix4d F = core::constant_velocity_transition(age);
+  return F * *track.newest().covariance * F.transpose() + core::white_acceleration_noise(age, q);
 }
 
 CovarianceFusion::CovarianceFusion(CovarianceWeights weights, double q) : weights_(weights), q_(q) {
-  require("process_noise", q, q >= 0.0, ">= 0");
+  core::require(q >= 0.0, "process_noise must be >= 0", q);
 }
 
 std::span<const FusedState> CovarianceFusion::fuse(std::span<const TrackGroup> groups) {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "core/parameter_check.hpp"
 #include "fusion/methods/covariance_fusion.hpp"
-#include "fusion/parameter_check.hpp"
 
 namespace lookout::fusion {
 namespace {
@@ -36,16 +36,17 @@ Eigen::Matrix4d gain(const LocalTrack& track, std::int64_t utime, double q) {
   const LocalEstimate& newer = track.back(*place);
   const LocalEstimate& older = track.back(*place + 1);
   const double dt = core::seconds(newer.utime - older.utime);
-  const Eigen::Matrix4d F = transition(dt);
-  const Eigen::Matrix4d predicted = F * *older.covariance * F.transpose() + process_noise(dt, q);
+  const Eigen::Matrix4d F = core::constant_velocity_transition(dt);
+  const Eigen::Matrix4d predicted =
+      F * *older.covariance * F.transpose() + core::white_acceleration_noise(dt, q);
   return *newer.covariance * predicted.inverse();
 }
 
 }  // namespace
 
 MaximumLikelihoodFusion::MaximumLikelihoodFusion(const KalmanModel& model) : model_(model) {
-  require("process_noise", model.process_noise, model.process_noise >= 0.0, ">= 0");
-  require_positive("velocity_sigma", model.velocity_sigma);
+  core::require(model.process_noise >= 0.0, "process_noise must be >= 0", model.process_noise);
+  core::require_positive("velocity_sigma", model.velocity_sigma);
 }
 
 std::span<const FusedState> MaximumLikelihoodFusion::fuse(std::span<const TrackGroup> groups) {
@@ -77,9 +78,9 @@ void MaximumLikelihoodFusion::advance(Cross& cross, const LocalTrack& a, const L
     const std::int64_t next = std::min(
         {next_event(a, cross.utime).value_or(utime), next_event(b, cross.utime).value_or(utime), utime});
     const double dt = core::seconds(next - cross.utime);
-    const Eigen::Matrix4d F = transition(dt);
+    const Eigen::Matrix4d F = core::constant_velocity_transition(dt);
     const Eigen::Matrix4d predicted =
-        F * cross.covariance * F.transpose() + process_noise(dt, model_.process_noise);
+        F * cross.covariance * F.transpose() + core::white_acceleration_noise(dt, model_.process_noise);
     cross.covariance = gain(a, next, model_.process_noise) * predicted *
                        gain(b, next, model_.process_noise).transpose();  // docs/fusion.md, C_ij(k)
     cross.utime = next;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/frames.hpp"
-#include "fusion/parameter_check.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::fusion {
 namespace {
@@ -47,7 +47,7 @@ double squared_residual(const TrackGroup& group, const Contribution& contributio
 }  // namespace
 
 SupportDegreeFusion::SupportDegreeFusion(const SupportDegreeParams& params) : params_(params) {
-  require_positive("length_unit", params.length_unit);
+  core::require_positive("length_unit", params.length_unit);
 }
 
 void SupportDegreeFusion::append_points(const TrackGroup& group, Points& points) const {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace lookout::csht {
 namespace {
@@ -13,6 +14,13 @@ TEST(PrimaryThreshold, IsTheLargestOfItsReadings) {
   EXPECT_DOUBLE_EQ(primary_threshold(params, {10.0, 2.0, 100}), 4.0);
   EXPECT_DOUBLE_EQ(primary_threshold(params, {4.0, 2.0, 100}), 2.0 + 0.5 * std::sqrt(2.0));
   EXPECT_DOUBLE_EQ(primary_threshold(params, {2.0, 0.5, 100}), 1.5);
+}
+
+TEST(PrimaryThreshold, RefusesAShareThatNoCellExceeds) {
+  PrimaryThresholdParams params;
+  EXPECT_NO_THROW(params.validate());
+  params.peak_share = 1.0;
+  EXPECT_THROW(params.validate(), std::invalid_argument);
 }
 
 TEST(StrongestApart, SkipsCellsNearAStrongerPeak) {

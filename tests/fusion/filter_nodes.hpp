@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "fusion/constant_velocity.hpp"
+#include "core/constant_velocity.hpp"
 #include "fusion/methods/maximum_likelihood_fusion.hpp"
 #include "tests/fusion/test_nodes.hpp"
 
@@ -36,9 +36,10 @@ struct Node {
     covariance.diagonal() << r, r, velocity_sigma * velocity_sigma, velocity_sigma * velocity_sigma;
   }
   void predict(const KalmanModel& model) {
-    state = moved(state, 1.0);
-    covariance =
-        transition(1.0) * covariance * transition(1.0).transpose() + process_noise(1.0, model.process_noise);
+    state = core::moved(state, 1.0);
+    covariance = core::constant_velocity_transition(1.0) * covariance *
+                     core::constant_velocity_transition(1.0).transpose() +
+                 core::white_acceleration_noise(1.0, model.process_noise);
   }
   void correct(const Eigen::Vector2d& z, double variance) {
     const Eigen::Matrix2d innovation =

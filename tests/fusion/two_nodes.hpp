@@ -12,7 +12,7 @@ namespace lookout::fusion::testing {
 
 /// Target 1 goes north at 2 m/s from the origin; target 2 east at 1 m/s from 60 m north.
 inline Eigen::Vector4d target(int id, double time) {
-  return moved(id == 1 ? Eigen::Vector4d(0, 0, 2, 0) : Eigen::Vector4d(60, 0, 0, 1), time);
+  return core::moved(id == 1 ? Eigen::Vector4d(0, 0, 2, 0) : Eigen::Vector4d(60, 0, 0, 1), time);
 }
 
 /// Two nodes that send all targets every half second.

@@ -3,16 +3,14 @@
 #include <Eigen/LU>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 double chi_square_gate(double probability, int dimensions) {
-  if (!(probability > 0.0 && probability < 1.0))
-    throw std::invalid_argument("gate probability must be in (0, 1), got " + std::to_string(probability));
-  if (dimensions < 1)
-    throw std::invalid_argument("gate dimensions must be >= 1, got " + std::to_string(dimensions));
+  core::require(probability > 0.0 && probability < 1.0, "gate probability must be in (0, 1)", probability);
+  core::require(dimensions >= 1, "gate dimensions must be >= 1", dimensions);
   return boost::math::quantile(boost::math::chi_squared(dimensions), probability);
 }
 

@@ -1,15 +1,14 @@
 #include "tracking/association/global_nearest_neighbour.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
+#include "core/parameter_check.hpp"
 #include "tracking/association/gating.hpp"
 
 namespace lookout::tracking {
 
 GlobalNearestNeighbour::GlobalNearestNeighbour(double gate) : gate_(gate) {
-  if (!(gate > 0.0)) throw std::invalid_argument("gate must be > 0, got " + std::to_string(gate));
+  core::require(gate > 0.0, "gate must be > 0", gate);
 }
 
 const std::vector<int>& GlobalNearestNeighbour::assign(const Scene& scene, const core::SonarParams& sonar) {

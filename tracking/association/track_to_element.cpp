@@ -1,8 +1,8 @@
 #include "tracking/association/track_to_element.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -16,12 +16,9 @@ double variance(const core::Track& track, const core::MotionElement& element, in
 }  // namespace
 
 void ElementGate::validate() const {
-  if (!(position > 0.0))
-    throw std::invalid_argument("element gate: position must be > 0, got " + std::to_string(position));
-  if (!(velocity > 0.0))
-    throw std::invalid_argument("element gate: velocity must be > 0, got " + std::to_string(velocity));
-  if (!(sigmas >= 0.0))
-    throw std::invalid_argument("element gate: sigmas must be >= 0, got " + std::to_string(sigmas));
+  core::require(position > 0.0, "element gate: position must be > 0", position);
+  core::require(velocity > 0.0, "element gate: velocity must be > 0", velocity);
+  core::require(sigmas >= 0.0, "element gate: sigmas must be >= 0", sigmas);
 }
 
 TrackToElement::TrackToElement(const ElementGate& gate) : gate_(gate) {

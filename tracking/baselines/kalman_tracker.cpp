@@ -1,10 +1,9 @@
 #include "tracking/baselines/kalman_tracker.hpp"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
 
 #include "core/field_of_view.hpp"
+#include "core/parameter_check.hpp"
 #include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
 #include "tracking/initiation/proposed_births.hpp"
@@ -35,8 +34,7 @@ KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams
       choose_([this](const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation) {
         return nearest(predicted, innovation);
       }) {
-  if (!(params.gate_distance > 0.0))
-    throw std::invalid_argument("gate_distance must be > 0, got " + std::to_string(params.gate_distance));
+  core::require(params.gate_distance > 0.0, "gate_distance must be > 0", params.gate_distance);
 }
 
 std::span<const core::Track> KalmanTracker::update(const core::PosedScan& scan,

@@ -2,24 +2,15 @@
 
 #include <mrpt/bayes/CKalmanFilterCapable.h>
 
-#include <stdexcept>
-#include <string>
+#include "core/constant_velocity.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
-namespace {
-
-void require_positive(const char* name, double value) {
-  if (!(value > 0.0))
-    throw std::invalid_argument(std::string(name) + " must be > 0, got " + std::to_string(value));
-}
-
-}  // namespace
-
 void PaperKalmanParams::validate() const {
-  require_positive("process_sigma", process_sigma);
-  require_positive("position_sigma", position_sigma);
-  require_positive("initial_position", initial_position);
-  require_positive("initial_velocity", initial_velocity);
+  core::require_positive("process_sigma", process_sigma);
+  core::require_positive("position_sigma", position_sigma);
+  core::require_positive("initial_position", initial_position);
+  core::require_positive("initial_velocity", initial_velocity);
 }
 
 /// The hooks that MRPT's filter asks for: state north, east, and their velocities; measured north, east.
@@ -52,15 +43,11 @@ class PaperKalmanFilter::Engine : public mrpt::bayes::CKalmanFilterCapable<4, 2,
   }
 
   void OnTransitionJacobian(KFMatrix_VxV& transition) const override {
-    transition.setIdentity();
-    transition(0, 2) = seconds_;
-    transition(1, 3) = seconds_;
+    transition.asEigen() = core::constant_velocity_transition(seconds_);
   }
 
   void OnTransitionNoise(KFMatrix_VxV& noise) const override {
-    Eigen::Matrix<double, 4, 2> gain;
-    gain << 0.5 * seconds_ * seconds_ * Eigen::Matrix2d::Identity(), seconds_ * Eigen::Matrix2d::Identity();
-    noise.asEigen() = params_.process_sigma * params_.process_sigma * gain * gain.transpose();
+    noise.asEigen() = core::stepwise_acceleration_noise(seconds_, params_.process_sigma);
   }
 
   void OnGetObservationNoise(KFMatrix_OxO& noise) const override {

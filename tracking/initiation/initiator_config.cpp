@@ -1,24 +1,18 @@
 #include "tracking/initiation/initiator_config.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
 #include "core/frames.hpp"
+#include "core/parameter_check.hpp"
 #include "core/yaml_reader.hpp"
 
 namespace lookout::tracking {
 namespace {
 
-void require(bool good, const char* field, double value, const char* accepted) {
-  if (!good)
-    throw std::invalid_argument(std::string(field) + " must be " + accepted + ", got " +
-                                std::to_string(value));
-}
-
 void require_positive(const std::optional<double>& value, const char* field) {
-  if (value) require(*value > 0.0 && std::isfinite(*value), field, *value, "> 0");
+  if (value) core::require_positive(field, *value);
 }
 
 std::optional<int> optional_integer(const core::YamlMap& map, const char* key, std::optional<int> before,
@@ -57,15 +51,16 @@ void InitiatorConfig::validate() const {
   require_positive(azimuth_sigma, "azimuth_sigma");
   if (range_sigma.has_value() != azimuth_sigma.has_value())
     throw std::invalid_argument("range_sigma and azimuth_sigma must be given together, or neither");
-  if (min_speed) require(*min_speed >= 0.0, "min_speed", *min_speed, ">= 0");
-  if (max_speed) require(*max_speed > min_speed.value_or(0.0), "max_speed", *max_speed, "> min_speed");
+  if (min_speed) core::require(*min_speed >= 0.0, "min_speed must be >= 0", *min_speed);
+  if (max_speed)
+    core::require(*max_speed > min_speed.value_or(0.0), "max_speed must be > min_speed", *max_speed);
   if (acceleration_sigma)
-    require(*acceleration_sigma >= 0.0, "acceleration_sigma", *acceleration_sigma, ">= 0");
-  if (gate_margin) require(*gate_margin >= 0.0, "gate_margin", *gate_margin, ">= 0");
+    core::require(*acceleration_sigma >= 0.0, "acceleration_sigma must be >= 0", *acceleration_sigma);
+  if (gate_margin) core::require(*gate_margin >= 0.0, "gate_margin must be >= 0", *gate_margin);
   if (max_turn)
-    require(*max_turn > 0.0 && *max_turn <= std::numbers::pi, "max_turn", *max_turn, "in (0, pi]");
-  if (window_scans) require(*window_scans >= 2, "window_scans", *window_scans, ">= 2");
-  if (min_plots) require(*min_plots >= 2, "min_plots", *min_plots, ">= 2");
+    core::require(*max_turn > 0.0 && *max_turn <= std::numbers::pi, "max_turn must be in (0, pi]", *max_turn);
+  if (window_scans) core::require(*window_scans >= 2, "window_scans must be >= 2", *window_scans);
+  if (min_plots) core::require(*min_plots >= 2, "min_plots must be >= 2", *min_plots);
   require_positive(rho_step, "rho_step");
   require_positive(rho_tolerance, "rho_tolerance");
   require_positive(theta_tolerance, "theta_tolerance");
@@ -73,14 +68,15 @@ void InitiatorConfig::validate() const {
   require_positive(max_false_tracks, "max_false_tracks");
   require_positive(clutter_per_area, "clutter_per_area");
   if (theta_step)
-    require(*theta_step > 0.0 && *theta_step <= std::numbers::pi / 4, "theta_step", *theta_step,
-            "in (0, pi/4]");
+    core::require(*theta_step > 0.0 && *theta_step <= std::numbers::pi / 4, "theta_step must be in (0, pi/4]",
+                  *theta_step);
   if (peak_threshold)
-    require(*peak_threshold > 0.0 && *peak_threshold <= 1.0, "peak_threshold", *peak_threshold, "in (0, 1]");
+    core::require(*peak_threshold > 0.0 && *peak_threshold <= 1.0, "peak_threshold must be in (0, 1]",
+                  *peak_threshold);
   if (gate_probability)
-    require(*gate_probability > 0.0 && *gate_probability < 1.0, "gate_probability", *gate_probability,
-            "in (0, 1)");
-  if (max_tracks) require(*max_tracks >= 1, "max_tracks", *max_tracks, ">= 1");
+    core::require(*gate_probability > 0.0 && *gate_probability < 1.0, "gate_probability must be in (0, 1)",
+                  *gate_probability);
+  if (max_tracks) core::require(*max_tracks >= 1, "max_tracks must be >= 1", *max_tracks);
 }
 
 std::string chosen_variant(const InitiatorConfig& config, const std::string& method,

@@ -2,17 +2,16 @@
 #include "tracking/initiation/local_initiator.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 void LocalInitiatorParams::validate() const {
   verifier.validate();
-  if (stride < 1) throw std::invalid_argument("stride must be >= 1, got " + std::to_string(stride));
-  if (!(margin >= 0.0)) throw std::invalid_argument("margin must be >= 0, got " + std::to_string(margin));
-  if (window_scans < 3)
-    throw std::invalid_argument("window_scans must be >= 3, got " + std::to_string(window_scans));
+  core::require(stride >= 1, "stride must be >= 1", stride);
+  core::require(margin >= 0.0, "margin must be >= 0", margin);
+  core::require(window_scans >= 3, "window_scans must be >= 3", window_scans);
 }
 
 LocalInitiator::LocalInitiator(std::unique_ptr<Initiator> method, const LocalInitiatorParams& params)

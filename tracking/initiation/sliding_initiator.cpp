@@ -1,18 +1,14 @@
 #include "tracking/initiation/sliding_initiator.hpp"
 
-#include <stdexcept>
-#include <string>
-
+#include "core/parameter_check.hpp"
 #include "tracking/association/gating.hpp"
 
 namespace lookout::tracking {
 
 void SlidingParams::validate() const {
   motion.validate();
-  if (window_scans < 2)
-    throw std::invalid_argument("window_scans must be >= 2, got " + std::to_string(window_scans));
-  if (follow_misses < 0)
-    throw std::invalid_argument("follow_misses must be >= 0, got " + std::to_string(follow_misses));
+  core::require(window_scans >= 2, "window_scans must be >= 2", window_scans);
+  core::require(follow_misses >= 0, "follow_misses must be >= 0", follow_misses);
 }
 
 SlidingInitiator::SlidingInitiator(std::unique_ptr<Initiator> initiator, const SlidingParams& params)

@@ -3,20 +3,13 @@
 
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 
+#include "core/parameter_check.hpp"
 #include "tracking/association/gating.hpp"
 #include "tracking/initiation/plots/false_chains.hpp"
 
 namespace lookout::tracking {
 namespace {
-
-void require(bool good, const char* field, double value, const char* accepted) {
-  if (!good)
-    throw std::invalid_argument(std::string(field) + " must be " + accepted + ", got " +
-                                std::to_string(value));
-}
 
 /// Covariance of the position that a course had or will have, `seconds` from its own time [m^2].
 Eigen::Matrix2d position_covariance(const TrackFit& course, double seconds, const MotionModelParams& motion) {
@@ -32,14 +25,15 @@ Eigen::Matrix2d position_covariance(const TrackFit& course, double seconds, cons
 void TrackVerifierParams::validate() const {
   speeds.validate();
   motion.validate();
-  require(std::isfinite(speeds.max), "max_speed", speeds.max, "finite");
-  require(min_plots >= 3, "min_plots", min_plots, ">= 3");
-  require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability", chain_probability,
-          "in (0, 1)");
-  require(margin_sigmas >= 0.0, "margin_sigmas", margin_sigmas, ">= 0");
-  require(max_false_tracks > 0.0, "max_false_tracks", max_false_tracks, "> 0");
-  if (clutter_per_area) require(*clutter_per_area > 0.0, "clutter_per_area", *clutter_per_area, "> 0");
-  require(passes >= 1, "passes", passes, ">= 1");
+  core::require(std::isfinite(speeds.max), "max_speed must be finite", speeds.max);
+  core::require(min_plots >= 3, "min_plots must be >= 3", min_plots);
+  core::require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability must be in (0, 1)",
+                chain_probability);
+  core::require(margin_sigmas >= 0.0, "margin_sigmas must be >= 0", margin_sigmas);
+  core::require(max_false_tracks > 0.0, "max_false_tracks must be > 0", max_false_tracks);
+  if (clutter_per_area)
+    core::require(*clutter_per_area > 0.0, "clutter_per_area must be > 0", *clutter_per_area);
+  core::require(passes >= 1, "passes must be >= 1", passes);
 }
 
 TrackVerifier::TrackVerifier(const TrackVerifierParams& params)

@@ -1,31 +1,18 @@
 #include "tracking/management/track_life.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 #include "core/frames.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
-namespace {
-
-void require_not_negative(const char* name, double value) {
-  if (!(value >= 0.0))
-    throw std::invalid_argument(std::string(name) + " must be >= 0, got " + std::to_string(value));
-}
-
-}  // namespace
-
 void TrackLifeParams::validate() const {
-  if (confirm_hits < 1)
-    throw std::invalid_argument("confirm_hits must be >= 1, got " + std::to_string(confirm_hits));
-  if (confirm_scans < confirm_hits)
-    throw std::invalid_argument("confirm_scans must be >= confirm_hits, got " +
-                                std::to_string(confirm_scans));
-  require_not_negative("max_misses", max_misses);
-  require_not_negative("first_misses", first_misses);
-  require_not_negative("misses_per_hit", misses_per_hit);
-  require_not_negative("coast_s", coast_s);
+  core::require(confirm_hits >= 1, "confirm_hits must be >= 1", confirm_hits);
+  core::require(confirm_scans >= confirm_hits, "confirm_scans must be >= confirm_hits", confirm_scans);
+  core::require_not_negative("max_misses", max_misses);
+  core::require_not_negative("first_misses", first_misses);
+  core::require_not_negative("misses_per_hit", misses_per_hit);
+  core::require_not_negative("coast_s", coast_s);
 }
 
 TrackLife::TrackLife(const TrackLifeParams& params, std::int64_t utime)

@@ -2,16 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 Ospa::Ospa(const OspaParams& params) : params_(params) {
-  if (!(params.cutoff > 0.0))
-    throw std::invalid_argument("OSPA cutoff must be > 0, got " + std::to_string(params.cutoff));
-  if (!(params.order >= 1.0))
-    throw std::invalid_argument("OSPA order must be >= 1, got " + std::to_string(params.order));
+  core::require(params.cutoff > 0.0, "OSPA cutoff must be > 0", params.cutoff);
+  core::require(params.order >= 1.0, "OSPA order must be >= 1", params.order);
 }
 
 OspaResult Ospa::operator()(std::span<const Eigen::Vector2d> truth,

@@ -1,10 +1,9 @@
 #include "tracking/metrics/track_quality.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
 
 #include "core/frames.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -35,10 +34,8 @@ Eigen::MatrixXd gated_cost(std::span<const core::TargetTruth* const> truth,
 }  // namespace
 
 TrackQuality::TrackQuality(const TrackQualityParams& params) : params_(params) {
-  if (!(params.gate > 0.0))
-    throw std::invalid_argument("gate must be > 0, got " + std::to_string(params.gate));
-  if (params.identity_scans < 1)
-    throw std::invalid_argument("identity_scans must be >= 1, got " + std::to_string(params.identity_scans));
+  core::require(params.gate > 0.0, "gate must be > 0", params.gate);
+  core::require(params.identity_scans >= 1, "identity_scans must be >= 1", params.identity_scans);
 }
 
 void TrackQuality::select(const core::GroundTruth& truth, std::span<const core::Track> tracks) {

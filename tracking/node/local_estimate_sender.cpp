@@ -1,39 +1,25 @@
 #include "tracking/node/local_estimate_sender.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tuple>
 
-#include "core/csv.hpp"
 #include "core/frames.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
 
-// LCM's small message: magic and sequence number, the channel's name with its end, then the payload: the
-// type's fingerprint, utime, sequence, node, its position, track, state, and the covariance's count.
-constexpr std::string_view kChannel = "LOCAL_ESTIMATE";
-constexpr int kHeaderBytes = 8 + static_cast<int>(kChannel.size()) + 1;
-constexpr int kPayloadBytes = 8 + 8 + 8 + 4 + 2 * 8 + 8 + 4 * 8 + 2;
-constexpr int kCovarianceBytes = 16 * 8;
 constexpr std::int64_t kSecond = 1'000'000;  // [us]
 
 }  // namespace
 
-int message_bytes(bool with_covariance) {
-  return kHeaderBytes + kPayloadBytes + (with_covariance ? kCovarianceBytes : 0);
-}
-
-LocalEstimateSender::LocalEstimateSender(const LocalEstimateSenderParams& params)
-    : params_(params), message_bytes_(message_bytes(params.with_covariance)), tokens_(params.burst_bytes) {
-  if (!(params.bytes_per_second > 0.0))
-    throw std::invalid_argument("bytes_per_second must be > 0, got " +
-                                core::shortest(params.bytes_per_second));
-  if (!(params.burst_bytes >= message_bytes_))
-    throw std::invalid_argument("burst_bytes must be >= one message of " + std::to_string(message_bytes_) +
-                                " bytes, got " + core::shortest(params.burst_bytes));
+LocalEstimateSender::LocalEstimateSender(const LocalEstimateSenderParams& params, int message_bytes)
+    : params_(params), message_bytes_(message_bytes) {
+  core::require_positive("bytes_per_second", params.bytes_per_second);
+  core::require_not_negative("burst_bytes", params.burst_bytes);
+  core::require_positive("message_bytes", message_bytes);
+  params_.burst_bytes = std::max(params.burst_bytes, static_cast<double>(message_bytes));
+  tokens_ = params_.burst_bytes;
 }
 
 void LocalEstimateSender::fill_bucket(std::int64_t utime) {

@@ -15,21 +15,20 @@ namespace lookout::tracking {
 struct LocalEstimateSenderParams {
   std::int32_t node_id = 1;  ///< Of the vehicle, unique among those that share the link.
   double bytes_per_second =
-      256.0;                   ///< Of the link, payload and LCM header together, > 0: an acoustic modem's.
-  double burst_bytes = 128.0;  ///< What an idle link saves up, >= one message: half a second's worth. In any
-                               ///< t seconds at most burst + t * rate goes out. Own choice.
+      256.0;  ///< Of the link, payload and LCM header together, > 0: an acoustic modem's.
+  /// What an idle link saves up, >= 0, one message at least: half a second's worth. In any t seconds at most
+  /// burst + t * rate goes out. Own choice.
+  double burst_bytes = 128.0;
   bool with_covariance = false;  ///< Send covariances too, for the methods that need them.
 };
-
-/// Bytes of one estimate on the link: payload and LCM's header of a small message with the channel's name.
-int message_bytes(bool with_covariance);
 
 /// Chooses which tracks of a node go out over its thin link: a token bucket, and of the confirmed tracks the
 /// one that has waited longest first. Runs on data time.
 class LocalEstimateSender {
  public:
+  /// @param message_bytes that one estimate takes on the link, > 0: lcmtypes::local_estimate_bytes.
   /// @throws std::invalid_argument on a parameter out of range.
-  explicit LocalEstimateSender(const LocalEstimateSenderParams& params);
+  LocalEstimateSender(const LocalEstimateSenderParams& params, int message_bytes);
 
   /// The scan that the tracks belong to, and from where it was taken.
   struct Scan {
@@ -54,7 +53,7 @@ class LocalEstimateSender {
 
   LocalEstimateSenderParams params_;
   int message_bytes_;
-  double tokens_;
+  double tokens_ = 0.0;
   std::int64_t filled_utime_ = 0;
   std::map<std::int64_t, std::int64_t> sent_utime_;  ///< Of each track that is alive.
   std::vector<const core::Track*> waiting_;

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "core/input_error.hpp"
+#include "lcmtypes/message_size.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -20,7 +21,8 @@ PingNode::PingNode(lcmtypes::Bus& bus, const TrackerNodeParams& params, Report r
       channels_(params.channel_prefix),
       report_(std::move(report)),
       status_(bus, channels_.status(), "lookout track", params.node_id),
-      sender_(with_node_id(params.link, params.node_id)) {
+      sender_(with_node_id(params.link, params.node_id),
+              lcmtypes::local_estimate_bytes(params.link.with_covariance)) {
   if (params.node_id < 1)
     throw core::InputError("--node-id: got " + std::to_string(params.node_id) + ", expected 1 or more");
 }

@@ -1,25 +1,21 @@
 #include "tracking/smoothing/constant_velocity_filter.hpp"
 
 #include <Eigen/LU>
-#include <stdexcept>
-#include <string>
+
+#include "core/constant_velocity.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 void MotionModelParams::validate() const {
-  if (!(acceleration_sigma >= 0.0))
-    throw std::invalid_argument("acceleration_sigma must be >= 0, got " + std::to_string(acceleration_sigma));
+  core::require(acceleration_sigma >= 0.0, "acceleration_sigma must be >= 0", acceleration_sigma);
 }
 
 void predict(core::Track& track, double seconds, const MotionModelParams& motion) {
-  Eigen::Matrix4d transition = Eigen::Matrix4d::Identity();
-  transition.topRightCorner<2, 2>() = seconds * Eigen::Matrix2d::Identity();
-  Eigen::Matrix<double, 4, 2> gain;
-  gain << 0.5 * seconds * seconds * Eigen::Matrix2d::Identity(), seconds * Eigen::Matrix2d::Identity();
-  const double variance = motion.acceleration_sigma * motion.acceleration_sigma;
-  track.state = transition * track.state;
-  track.covariance =
-      transition * track.covariance * transition.transpose() + variance * gain * gain.transpose();
+  const Eigen::Matrix4d F = core::constant_velocity_transition(seconds);
+  track.state = F * track.state;
+  track.covariance = F * track.covariance * F.transpose() +
+                     core::stepwise_acceleration_noise(seconds, motion.acceleration_sigma);
 }
 
 void update(core::Track& track, const Eigen::Vector2d& position, const Eigen::Matrix2d& noise) {

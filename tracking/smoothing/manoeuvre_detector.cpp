@@ -1,24 +1,15 @@
 #include "tracking/smoothing/manoeuvre_detector.hpp"
 
 #include <Eigen/Cholesky>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
-namespace {
-
-void require(bool holds, const char* expected, double value) {
-  if (!holds)
-    throw std::invalid_argument("manoeuvre: " + std::string(expected) + ", got " + std::to_string(value));
-}
-
-}  // namespace
-
 void ManoeuvreParams::validate() const {
-  require(share > 0.0 && share < 1.0, "share must be in (0, 1)", share);
-  require(threshold > 0.0, "threshold must be > 0", threshold);
-  require(position_variance >= 0.0, "position_variance must be >= 0", position_variance);
-  require(velocity_variance >= 0.0, "velocity_variance must be >= 0", velocity_variance);
+  core::require(share > 0.0 && share < 1.0, "manoeuvre: share must be in (0, 1)", share);
+  core::require(threshold > 0.0, "manoeuvre: threshold must be > 0", threshold);
+  core::require(position_variance >= 0.0, "manoeuvre: position_variance must be >= 0", position_variance);
+  core::require(velocity_variance >= 0.0, "manoeuvre: velocity_variance must be >= 0", velocity_variance);
 }
 
 ManoeuvreDetector::ManoeuvreDetector(const ManoeuvreParams& params) : params_(params) {

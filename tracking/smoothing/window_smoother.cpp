@@ -1,19 +1,16 @@
 #include "tracking/smoothing/window_smoother.hpp"
 
 #include <Eigen/Cholesky>
-#include <stdexcept>
-#include <string>
 
+#include "core/parameter_check.hpp"
 #include "tracking/association/gating.hpp"
 #include "tracking/smoothing/constant_velocity_filter.hpp"
 
 namespace lookout::tracking {
 
 void WindowSmootherParams::validate() const {
-  if (!(disagreement > 0.0))
-    throw std::invalid_argument("disagreement must be > 0, got " + std::to_string(disagreement));
-  if (young_scans < 0)
-    throw std::invalid_argument("young_scans must be >= 0, got " + std::to_string(young_scans));
+  core::require(disagreement > 0.0, "disagreement must be > 0", disagreement);
+  core::require(young_scans >= 0, "young_scans must be >= 0", young_scans);
 }
 
 WindowSmoother::WindowSmoother(const WindowSmootherParams& params) : params_(params) {

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/parameter_check.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -51,8 +53,8 @@ void check_frame_shape(const IntensityFrame& frame) {
     throw std::invalid_argument("a frame of " + std::to_string(frame.columns) + " x " +
                                 std::to_string(frame.rows) + " cells holds " +
                                 std::to_string(frame.values.size()) + " values");
-  if (!(std::isfinite(frame.noise_level) && frame.noise_level > 0.0))
-    throw std::invalid_argument("noise_level must be > 0, got " + std::to_string(frame.noise_level));
+  core::require(std::isfinite(frame.noise_level) && frame.noise_level > 0.0, "noise_level must be > 0",
+                frame.noise_level);
 }
 
 void check_cells(const IntensityFrame& frame, const CellWindow& window, int row_step) {

@@ -37,7 +37,7 @@ INSTANTIATE_TEST_SUITE_P(
     EachStruct, JointTrackerParamsRefused,
     ::testing::Values(
         BadValue{"log_floor", [](auto& p) { p.sensor.log_floor = 1.0; }},
-        BadValue{"trajectories must be in [32, 4096], got 4.", [](auto& p) { p.cloud.trajectories = 4; }},
+        BadValue{"trajectories must be in [32, 4096], got 4", [](auto& p) { p.cloud.trajectories = 4; }},
         BadValue{"trusted_share", [](auto& p) { p.cloud.trusted_share = 1.0; }},
         BadValue{"tempering_step", [](auto& p) { p.cloud.tempering_step = 1.0; }},
         BadValue{"speed_edge must be > 0, got 0", [](auto& p) { p.prior.speed_edge = 0.0; }},

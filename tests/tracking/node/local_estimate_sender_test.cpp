@@ -3,12 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <stdexcept>
 #include <vector>
 
 #include "core/frames.hpp"
 
 namespace lookout::tracking {
 namespace {
+
+constexpr int kMessageBytes = 109;  // lcmtypes::local_estimate_bytes without covariance.
 
 std::vector<core::Track> tracks(int number) {
   std::vector<core::Track> result(static_cast<std::size_t>(number));
@@ -32,7 +35,7 @@ std::vector<core::LocalEstimate> run(LocalEstimateSender& sender, int num_tracks
 }
 
 TEST(LocalEstimateSender, StaysBelowTheRateInAnySecond) {
-  LocalEstimateSender sender({});
+  LocalEstimateSender sender({}, kMessageBytes);
   run(sender, 10, 0.5, 100.0);
   EXPECT_LE(sender.most_bytes_in_a_second(), 256);
   EXPECT_LE(static_cast<double>(sender.bytes_sent()) / 100.0, 256.0);
@@ -40,7 +43,7 @@ TEST(LocalEstimateSender, StaysBelowTheRateInAnySecond) {
 }
 
 TEST(LocalEstimateSender, EveryTrackWaitsItsTurn) {
-  LocalEstimateSender sender({});
+  LocalEstimateSender sender({}, kMessageBytes);
   const auto sent = run(sender, 5, 0.5, 100.0);
   std::map<std::int64_t, int> messages;
   for (const auto& estimate : sent) ++messages[estimate.track_id];
@@ -49,7 +52,7 @@ TEST(LocalEstimateSender, EveryTrackWaitsItsTurn) {
 }
 
 TEST(LocalEstimateSender, ANewTrackGoesFirst) {
-  LocalEstimateSender sender({});
+  LocalEstimateSender sender({}, kMessageBytes);
   auto picture = tracks(3);
   sender.select({0, 0, {0, 0}}, picture);
   picture.push_back(picture.back());
@@ -61,7 +64,7 @@ TEST(LocalEstimateSender, ANewTrackGoesFirst) {
 }
 
 TEST(LocalEstimateSender, TentativeAndCoastingTracksStayAtHome) {
-  LocalEstimateSender sender({});
+  LocalEstimateSender sender({}, kMessageBytes);
   auto picture = tracks(2);
   picture[0].status = core::TrackStatus::tentative;
   picture[1].status = core::TrackStatus::coasting;
@@ -73,7 +76,7 @@ TEST(LocalEstimateSender, CarriesTheScanAndTheCovarianceWhereAsked) {
   params.node_id = 7;
   params.with_covariance = true;
   params.burst_bytes = 256.0;
-  LocalEstimateSender sender(params);
+  LocalEstimateSender sender(params, kMessageBytes);
   const auto selected = sender.select({core::microseconds(3.0), 6, {5, 8}}, tracks(1));
   ASSERT_EQ(selected.size(), 1u);
   EXPECT_EQ(selected.front().node_id, 7);
@@ -82,10 +85,17 @@ TEST(LocalEstimateSender, CarriesTheScanAndTheCovarianceWhereAsked) {
   EXPECT_TRUE(selected.front().covariance);
 }
 
-TEST(LocalEstimateSender, RefusesABucketSmallerThanAMessage) {
+TEST(LocalEstimateSender, ABucketHoldsOneMessageAtLeast) {
   LocalEstimateSenderParams params;
   params.burst_bytes = 50.0;
-  EXPECT_THROW(LocalEstimateSender{params}, std::invalid_argument);
+  LocalEstimateSender sender(params, kMessageBytes);
+  EXPECT_EQ(sender.select({0, 0, {0, 0}}, tracks(2)).size(), 1u);
+}
+
+TEST(LocalEstimateSender, RefusesALinkThatCarriesNothing) {
+  LocalEstimateSenderParams params;
+  params.bytes_per_second = 0.0;
+  EXPECT_THROW(LocalEstimateSender(params, kMessageBytes), std::invalid_argument);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "lcmtypes/message_size.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
 #include "tools/experiments/tracking/tracking_run.hpp"
 #include "tracking/tracker_registry.hpp"
@@ -22,7 +23,8 @@ class Vehicle {
         seed_(run_seed(seed, run) + index),
         node_id_(scene.platforms[index].node_id),
         outage_(params.outage),
-        sender_(link_of(params, scene.platforms[index].node_id)) {}
+        sender_(link_of(params, scene.platforms[index].node_id),
+                lcmtypes::local_estimate_bytes(params.link.with_covariance)) {}
 
   std::size_t num_scans() const { return scans_.size(); }
   const TimedScan& scan(std::size_t k) const { return scans_[k]; }

@@ -132,7 +132,6 @@ class TwoUuv final : public Experiment {
     FusedRunParams params;
     params.fusion.method = cell.method;
     params.link.with_covariance = make_fusion_method(params.fusion)->needs_covariance();
-    if (params.link.with_covariance) params.link.burst_bytes = tracking::message_bytes(true);
     if (cell.parameters.text("situation") == "restart")
       params.outage = {kFailingNode, kOutageBegin, kOutageEnd};
     return params;

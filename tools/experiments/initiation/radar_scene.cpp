@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/constant_velocity.hpp"
 #include "core/frames.hpp"
-#include "fusion/constant_velocity.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -67,9 +67,9 @@ struct LocalFilter {
   }
 
   void update(const Measurement& z, double q) {
-    const Eigen::Matrix4d F = fusion::transition(kRadarScanPeriod);
+    const Eigen::Matrix4d F = core::constant_velocity_transition(kRadarScanPeriod);
     state = F * state;
-    covariance = F * covariance * F.transpose() + fusion::process_noise(kRadarScanPeriod, q);
+    covariance = F * covariance * F.transpose() + core::white_acceleration_noise(kRadarScanPeriod, q);
     const Eigen::Matrix2d innovation = covariance.topLeftCorner<2, 2>() + z.covariance;
     const Eigen::Matrix<double, 4, 2> gain = covariance.leftCols<2>() * innovation.inverse();
     state += gain * (z.position - state.head<2>());
@@ -80,10 +80,10 @@ struct LocalFilter {
 
 /// `state` one scan later, with the white acceleration that the filters expect.
 Eigen::Vector4d next_truth(const Eigen::Vector4d& state, double q, core::Random& random) {
-  const Eigen::Matrix4d root = fusion::process_noise(kRadarScanPeriod, q).llt().matrixL();
+  const Eigen::Matrix4d root = core::white_acceleration_noise(kRadarScanPeriod, q).llt().matrixL();
   const auto draw = [&] { return random.gaussian(); };
   const Eigen::Vector4d draws{draw(), draw(), draw(), draw()};
-  return fusion::moved(state, kRadarScanPeriod) + (q > 0.0 ? (root * draws).eval() : Eigen::Vector4d::Zero());
+  return core::moved(state, kRadarScanPeriod) + (q > 0.0 ? (root * draws).eval() : Eigen::Vector4d::Zero());
 }
 
 std::vector<RadarScan> simulate_targets(const RadarSceneParams& params, core::Random& random) {

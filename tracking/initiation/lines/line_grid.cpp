@@ -3,17 +3,16 @@
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 LineGrid::LineGrid(int num_theta, int num_rho, double rho_max)
     : num_theta_(num_theta), num_rho_(num_rho), rho_max_(rho_max) {
-  if (num_theta < 1) throw std::invalid_argument("num_theta must be >= 1, got " + std::to_string(num_theta));
-  if (num_rho < 1) throw std::invalid_argument("num_rho must be >= 1, got " + std::to_string(num_rho));
-  if (!(rho_max > 0.0) || !std::isfinite(rho_max))
-    throw std::invalid_argument("rho_max must be > 0, got " + std::to_string(rho_max));
+  core::require(num_theta >= 1, "num_theta must be >= 1", num_theta);
+  core::require(num_rho >= 1, "num_rho must be >= 1", num_rho);
+  core::require(rho_max > 0.0 && std::isfinite(rho_max), "rho_max must be > 0", rho_max);
   theta_step_ = std::numbers::pi / num_theta;
   rho_step_ = 2.0 * rho_max / num_rho;
 }

@@ -5,6 +5,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/parameter_check.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -12,6 +14,22 @@ namespace {
 constexpr double kMaxRows = 4e6;
 
 }  // namespace
+
+void LineVotingParams::validate() const {
+  constexpr double kFewestColumns = 4.0;  // of half a turn
+  core::require_positive("rho_step", rho_step);
+  core::require(theta_step > 0.0 && theta_step <= std::numbers::pi / kFewestColumns,
+                "theta_step must be in (0, pi/4]", theta_step);
+  core::require_positive("rho_tolerance", rho_tolerance);
+  core::require_positive("theta_tolerance", theta_tolerance);
+  core::require_not_negative("min_votes", min_votes);
+  core::require(peak_threshold > 0.0 && peak_threshold <= 1.0, "peak_threshold must be in (0, 1]",
+                peak_threshold);
+  core::require(min_plots >= 2, "min_plots must be >= 2", min_plots);
+  core::require(max_tracks >= 1, "max_tracks must be >= 1", max_tracks);
+  core::require_not_negative("gate_margin", gate_margin);
+  motion.validate();
+}
 
 int LineVotingParams::rho_radius() const {
   return static_cast<int>(std::ceil(2.0 * rho_tolerance / rho_step - 1e-9));

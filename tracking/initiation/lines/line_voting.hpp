@@ -27,6 +27,9 @@ struct LineVotingParams {
   bool centred_rows = false;      ///< A row of cells lies around rho = 0, in place of the border of two.
   MotionModelParams motion{0.0};  ///< Of the refit.
 
+  /// @throws std::invalid_argument naming the value out of range.
+  void validate() const;
+
   /// Rows and columns of the neighbourhood that one line fills, two tolerances [Fan2018] Eq. (28).
   int rho_radius() const;
   int theta_radius() const;  ///< Columns of the neighbourhood.

@@ -1,15 +1,15 @@
 #include "tracking/initiation/lines/pair_points.hpp"
 
-#include <stdexcept>
 #include <tuple>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 PairFormation::PairFormation(const SpeedLimits& speeds, std::int64_t max_pairs, double margin)
     : speeds_(speeds), max_pairs_(max_pairs), margin_(margin) {
   speeds.validate();
-  if (!(margin >= 0.0))
-    throw std::invalid_argument("gate_margin must be >= 0, got " + std::to_string(margin));
+  core::require(margin >= 0.0, "gate_margin must be >= 0", margin);
 }
 
 void PairFormation::add(const PlotWindow& window, int older, int newer, const Eigen::Vector2d& origin) {

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -34,8 +35,13 @@ AgFhtInitiator::AgFhtInitiator(const AgFhtParams& params)
     : params_(params),
       grid_(params.grid.num_theta, params.grid.num_rho, params.grid.half_range),
       gates_(params.gates) {
-  if (params.min_plots < 2)
-    throw std::invalid_argument("min_plots must be >= 2, got " + std::to_string(params.min_plots));
+  core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
+  core::require(params.reach >= 0, "reach must be >= 0", params.reach);
+  core::require_positive("cell_sigma", params.cell_sigma);
+  core::require(params.share_of_highest > 0.0 && params.share_of_highest < 1.0,
+                "share_of_highest must be in (0, 1)", params.share_of_highest);
+  core::require(params.share_of_mean > 0.0 && params.share_of_mean < 1.0, "share_of_mean must be in (0, 1)",
+                params.share_of_mean);
   for (int i = 0; i < grid_.num_theta(); ++i) normals_.push_back(NormalLine{0.0, grid_.theta_of(i)}.normal());
 }
 

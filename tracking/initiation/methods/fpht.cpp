@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 #include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -15,9 +16,12 @@ constexpr std::int64_t kMaxVotes = 1'000'000'000;  // A few seconds.
 
 FphtInitiator::FphtInitiator(const FphtParams& params)
     : params_(params), grid_(params.grid.num_theta, params.grid.num_rho, params.grid.half_range) {
-  if (!(params.peak_threshold > 0.0 && params.peak_threshold <= 1.0))
-    throw std::invalid_argument("peak_threshold must be in (0, 1], got " +
-                                std::to_string(params.peak_threshold));
+  core::require(params.peak_threshold > 0.0 && params.peak_threshold <= 1.0,
+                "peak_threshold must be in (0, 1]", params.peak_threshold);
+  core::require(params.reach >= 0, "reach must be >= 0", params.reach);
+  core::require_positive("cell_sigma", params.cell_sigma);
+  core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
+  core::require(params.max_tracks >= 1, "max_tracks must be >= 1", params.max_tracks);
   for (int i = 0; i < grid_.num_theta(); ++i) normals_.push_back(NormalLine{0.0, grid_.theta_of(i)}.normal());
 }
 

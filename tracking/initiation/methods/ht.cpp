@@ -14,7 +14,9 @@ constexpr int kMinVotes = 2;                     // One plot alone is no line.
 
 }  // namespace
 
-HtInitiator::HtInitiator(const LineVotingParams& params) : params_(params), grid_(1, 1, 1.0) {}
+HtInitiator::HtInitiator(const LineVotingParams& params) : params_(params), grid_(1, 1, 1.0) {
+  params.validate();
+}
 
 bool HtInitiator::refuse(const PlotWindow& window) {
   if (grid_.num_cells() > kMaxCells)

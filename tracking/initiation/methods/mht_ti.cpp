@@ -10,6 +10,7 @@ constexpr double kMinVotes = 2.0;  // One pair alone is no line.
 
 PairVotingInitiator::PairVotingInitiator(const LineVotingParams& params, const SpeedLimits& speeds)
     : params_(params), formation_(speeds, kMaxPairs, params.gate_margin), grid_(1, 1, 1.0) {
+  params_.validate();
   params_.min_votes = kMinVotes;
 }
 

@@ -4,18 +4,19 @@
 
 #include <array>
 #include <numbers>
-#include <stdexcept>
 #include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 ModifiedHtInitiator::ModifiedHtInitiator(const ModifiedHtParams& params) : params_(params) {
   params.speeds.validate();
   params.motion.validate();
-  if (!(params.margin >= 0.0))
-    throw std::invalid_argument("gate_margin must be >= 0, got " + std::to_string(params.margin));
-  if (!(params.max_angle > 0.0 && params.max_angle <= std::numbers::pi))
-    throw std::invalid_argument("max_angle must be in (0, pi], got " + std::to_string(params.max_angle));
+  core::require(params.margin >= 0.0, "gate_margin must be >= 0", params.margin);
+  core::require(params.max_triples >= 1, "max_triples must be >= 1", static_cast<double>(params.max_triples));
+  core::require(params.max_angle > 0.0 && params.max_angle <= std::numbers::pi,
+                "max_angle must be in (0, pi]", params.max_angle);
 }
 
 const StartedTracks& ModifiedHtInitiator::start(const PlotWindow& window) {

@@ -1,8 +1,9 @@
 // Source: modified logic-based initiation of Su and Wang, as compared against by [Zeng2023] section 3.2.
 #include "tracking/initiation/methods/modified_logic.hpp"
 
-#include <stdexcept>
 #include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -14,8 +15,7 @@ constexpr double kGate = 25.0;                  // Likewise.
 
 ModifiedLogicInitiator::ModifiedLogicInitiator(const ModifiedLogicParams& params)
     : params_(params), gates_(params.gates) {
-  if (params.min_plots < 2)
-    throw std::invalid_argument("min_plots must be >= 2, got " + std::to_string(params.min_plots));
+  core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
 }
 
 const StartedTracks& ModifiedLogicInitiator::start(const PlotWindow& window) {

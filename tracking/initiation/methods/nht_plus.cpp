@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/parameter_check.hpp"
 #include "tracking/association/gating.hpp"
 
 namespace lookout::tracking {
@@ -49,8 +50,13 @@ NhtPlusInitiator::NhtPlusInitiator(const NhtPlusParams& params)
     : params_(params), formation_(params.speeds, kMaxPairs, params.gate_margin), grid_(1, 1, 1.0) {
   params.motion.validate();
   if (!std::isfinite(params.speeds.max)) throw std::invalid_argument("max_speed must be finite");
-  if (params.min_plots < 3)
-    throw std::invalid_argument("min_plots must be >= 3, got " + std::to_string(params.min_plots));
+  core::require(params.min_plots >= 3, "min_plots must be >= 3", params.min_plots);
+  core::require(params.acceleration_factor >= 1.0, "acceleration_factor must be >= 1",
+                params.acceleration_factor);
+  core::require_positive("reach_sigmas", params.reach_sigmas);
+  core::require_positive("theta_cells_per_sigma", params.theta_cells_per_sigma);
+  core::require_positive("rho_cells_per_sigma", params.rho_cells_per_sigma);
+  core::require_positive("speed_bin_sigmas", params.speed_bin_sigmas);
   if (params.motion.acceleration_sigma == 0.0) params_.acceleration_factor = 1.0;
 }
 

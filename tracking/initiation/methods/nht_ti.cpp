@@ -4,15 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 NhtTiInitiator::NhtTiInitiator(const NhtTiParams& params)
     : params_(params), formation_(params.speeds, kMaxPairs, params.lines.gate_margin), grid_(1, 1, 1.0) {
-  if (!(params.false_alarm_probability >= 0.0 && params.false_alarm_probability < 1.0))
-    throw std::invalid_argument("false_alarm_probability must be in [0, 1), got " +
-                                std::to_string(params.false_alarm_probability));
+  params.lines.validate();
+  core::require_not_negative("false_degree_factor", params.false_degree_factor);
+  core::require_not_negative("least_vote", params.least_vote);
+  core::require(params.false_alarm_probability >= 0.0 && params.false_alarm_probability < 1.0,
+                "false_alarm_probability must be in [0, 1)", params.false_alarm_probability);
 }
 
 const StartedTracks& NhtTiInitiator::start(const PlotWindow& window) {

@@ -1,8 +1,9 @@
 // Source: sequence Hough transform (SHT-S, SHT-L), as compared against by [Zeng2023] section 3.2, Table 2.
 #include "tracking/initiation/methods/sequence_ht.hpp"
 
-#include <stdexcept>
 #include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -13,8 +14,7 @@ constexpr std::int64_t kMaxVotes = 1'000'000'000;  // A few seconds.
 
 SequenceHtInitiator::SequenceHtInitiator(const SequenceHtParams& params)
     : params_(params), grid_(params.grid.num_theta, params.grid.num_rho, params.grid.half_range) {
-  if (params.num_tracks < 1)
-    throw std::invalid_argument("num_tracks must be >= 1, got " + std::to_string(params.num_tracks));
+  core::require(params.num_tracks >= 1, "num_tracks must be >= 1", params.num_tracks);
   params.motion.validate();
 }
 

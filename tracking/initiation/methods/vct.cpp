@@ -6,21 +6,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 
+#include "core/parameter_check.hpp"
 #include "tracking/association/gating.hpp"
 #include "tracking/initiation/plots/false_chains.hpp"
 
 namespace lookout::tracking {
 namespace {
-
-void require(bool good, const char* field, double value, const char* accepted) {
-  if (!good)
-    throw std::invalid_argument(std::string(field) + " must be " + accepted + ", got " +
-                                std::to_string(value));
-}
 
 /// Three sigmas, say, of the difference of two plots along their displacement [m].
 double noise_margin(const Plot& a, const Plot& b, double sigmas) {
@@ -36,15 +30,18 @@ double noise_margin(const Plot& a, const Plot& b, double sigmas) {
 void VctParams::validate() const {
   speeds.validate();
   motion.validate();
-  require(std::isfinite(speeds.max), "max_speed", speeds.max, "finite");
-  require(window_scans >= 3, "window_scans", window_scans, ">= 3");
-  require(min_plots >= 3 && min_plots <= window_scans, "min_plots", min_plots, "in 3 .. window_scans");
-  require(gate_probability > 0.0 && gate_probability < 1.0, "gate_probability", gate_probability,
-          "in (0, 1)");
-  require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability", chain_probability,
-          "in (0, 1)");
-  require(max_false_tracks > 0.0, "max_false_tracks", max_false_tracks, "> 0");
-  require(max_branches_per_plot >= 1, "max_branches_per_plot", max_branches_per_plot, ">= 1");
+  core::require(std::isfinite(speeds.max), "max_speed must be finite", speeds.max);
+  core::require(window_scans >= 3, "window_scans must be >= 3", window_scans);
+  core::require(min_plots >= 3 && min_plots <= window_scans, "min_plots must be in 3 .. window_scans",
+                min_plots);
+  core::require(gate_probability > 0.0 && gate_probability < 1.0, "gate_probability must be in (0, 1)",
+                gate_probability);
+  core::require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability must be in (0, 1)",
+                chain_probability);
+  core::require(max_false_tracks > 0.0, "max_false_tracks must be > 0", max_false_tracks);
+  core::require(max_branches_per_plot >= 1, "max_branches_per_plot must be >= 1", max_branches_per_plot);
+  core::require(max_branches >= 1, "max_branches must be >= 1", max_branches);
+  core::require(max_consecutive_misses >= 0, "max_consecutive_misses must be >= 0", max_consecutive_misses);
 }
 
 VctInitiator::VctInitiator(const VctParams& params) : params_(params) {

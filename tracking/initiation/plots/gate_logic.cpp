@@ -3,20 +3,19 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 void GateLogicParams::validate() const {
   speeds.validate();
   motion.validate();
-  if (!(margin >= 0.0)) throw std::invalid_argument("margin must be >= 0, got " + std::to_string(margin));
-  if (!(gate > 0.0)) throw std::invalid_argument("gate must be > 0, got " + std::to_string(gate));
-  if (!(turn_rate > 0.0))
-    throw std::invalid_argument("turn_rate must be > 0, got " + std::to_string(turn_rate));
-  if (max_misses < 0)
-    throw std::invalid_argument("max_misses must be >= 0, got " + std::to_string(max_misses));
+  core::require(margin >= 0.0, "margin must be >= 0", margin);
+  core::require_not_negative("max_acceleration", max_acceleration);
+  core::require(gate > 0.0, "gate must be > 0", gate);
+  core::require(turn_rate > 0.0, "turn_rate must be > 0", turn_rate);
+  core::require(max_misses >= 0, "max_misses must be >= 0", max_misses);
 }
 
 void GateLogicParams::limit_turns(std::optional<double> angle) {

@@ -1,14 +1,14 @@
 #include "tracking/initiation/plots/gates.hpp"
 
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 
 void SpeedLimits::validate() const {
-  if (!(min >= 0.0)) throw std::invalid_argument("min_speed must be >= 0, got " + std::to_string(min));
-  if (!(max > min)) throw std::invalid_argument("max_speed must be > min_speed, got " + std::to_string(max));
+  core::require(min >= 0.0, "min_speed must be >= 0", min);
+  core::require(max > min, "max_speed must be > min_speed", max);
 }
 
 bool in_annulus(const Eigen::Vector2d& displacement, double seconds, const SpeedLimits& speeds,

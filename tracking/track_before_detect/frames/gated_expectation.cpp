@@ -2,11 +2,11 @@
 // all gates belongs to the background; its intensity is estimated from every n-th row of the frame.
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <tuple>
 
 #include "tracking/track_before_detect/frames/cell_expectation_forms.hpp"
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -14,14 +14,10 @@ namespace {
 class GatedExpectation : public CellExpectation {
  public:
   explicit GatedExpectation(const GateParams& params) : params_(params) {
-    if (!(params.half_width_sigmas > 0.0))
-      throw std::invalid_argument("half_width_sigmas must be > 0, got " +
-                                  std::to_string(params.half_width_sigmas));
-    if (params.margin < 0)
-      throw std::invalid_argument("margin must be >= 0, got " + std::to_string(params.margin));
-    if (params.background_row_step < 1)
-      throw std::invalid_argument("background_row_step must be >= 1, got " +
-                                  std::to_string(params.background_row_step));
+    core::require(params.half_width_sigmas > 0.0, "half_width_sigmas must be > 0", params.half_width_sigmas);
+    core::require(params.margin >= 0, "margin must be >= 0", params.margin);
+    core::require(params.background_row_step >= 1, "background_row_step must be >= 1",
+                  params.background_row_step);
   }
 
   void prepare(const IntensityFrame& frame, double threshold) override {

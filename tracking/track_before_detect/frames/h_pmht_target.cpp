@@ -2,7 +2,7 @@
 
 #include <Eigen/LU>
 
-#include "tracking/track_before_detect/pixel_motion.hpp"
+#include "core/constant_velocity.hpp"
 
 namespace lookout::tracking {
 
@@ -18,7 +18,7 @@ void HPmhtTarget::start_batch(std::span<const double> steps) {
   epochs_.resize(steps.size() + 1);
   for (std::size_t t = 1; t < epochs_.size(); ++t) {
     epochs_[t] = epochs_[t - 1];
-    epochs_[t].smoothed = constant_velocity_transition(steps[t - 1]) * epochs_[t - 1].smoothed;
+    epochs_[t].smoothed = core::constant_velocity_transition(steps[t - 1]) * epochs_[t - 1].smoothed;
   }
 }
 
@@ -56,7 +56,7 @@ void HPmhtTarget::maximise(std::span<const double> steps) {
 }
 
 void HPmhtTarget::filter(const Epoch& before, Epoch& epoch, double step) const {
-  const Eigen::Matrix4d F = constant_velocity_transition(step);
+  const Eigen::Matrix4d F = core::constant_velocity_transition(step);
   const SyntheticMeasurement& measurement = epoch.measurement;
   epoch.predicted = F * before.covariance * F.transpose() + measurement.noise_scale * process_noise(step);
   epoch.filtered = F * before.filtered;
@@ -72,7 +72,7 @@ void HPmhtTarget::filter(const Epoch& before, Epoch& epoch, double step) const {
 }
 
 void HPmhtTarget::smooth(Epoch& epoch, const Epoch& after, double step) const {
-  const Eigen::Matrix4d F = constant_velocity_transition(step);
+  const Eigen::Matrix4d F = core::constant_velocity_transition(step);
   const Eigen::FullPivLU<Eigen::Matrix4d> predicted(after.predicted);
   epoch.smoothed = epoch.filtered;
   if (!predicted.isInvertible()) return;  // a printed Q of rank one: nothing to carry back
@@ -96,7 +96,7 @@ void HPmhtTarget::learn_process_noise(std::span<const double> steps) {
   for (std::size_t t = 1; t < epochs_.size(); ++t) {
     const double weight = 1.0 / epochs_[t].measurement.noise_scale;
     const Eigen::Vector4d error =
-        epochs_[t].smoothed - constant_velocity_transition(steps[t - 1]) * epochs_[t - 1].smoothed;
+        epochs_[t].smoothed - core::constant_velocity_transition(steps[t - 1]) * epochs_[t - 1].smoothed;
     sum += weight * error * error.transpose();
     weights += weight;
   }
@@ -104,7 +104,7 @@ void HPmhtTarget::learn_process_noise(std::span<const double> steps) {
 }
 
 Eigen::Matrix4d HPmhtTarget::process_noise(double step) const {
-  return printed_noise_ ? *printed_noise_ : white_acceleration_noise(params_.noise_density, step);
+  return printed_noise_ ? *printed_noise_ : core::white_acceleration_noise(step, params_.noise_density);
 }
 
 void HPmhtTarget::end_batch() {

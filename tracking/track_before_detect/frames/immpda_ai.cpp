@@ -8,9 +8,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/constant_velocity.hpp"
 #include "core/parameter_check.hpp"
 #include "tracking/track_before_detect/frames/cell_expectation.hpp"
-#include "tracking/track_before_detect/pixel_motion.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -151,9 +151,10 @@ class ImmpdaAi : public FrameTracker {
 
   /// Predicts one mode, associates the gated points and updates; its probability takes the likelihood.
   void update(Mode& mode, double noise_density, double step) {
-    const Eigen::Matrix4d F = constant_velocity_transition(step);
+    const Eigen::Matrix4d F = core::constant_velocity_transition(step);
     mode.state = F * mode.state;
-    mode.covariance = F * mode.covariance * F.transpose() + white_acceleration_noise(noise_density, step);
+    mode.covariance =
+        F * mode.covariance * F.transpose() + noise_density * core::white_acceleration_noise(step, 1.0);
     Eigen::Matrix2d S = mode.covariance.topLeftCorner<2, 2>();
     S.diagonal().array() += measurement_variance();
     const Eigen::Matrix2d S_inverse = S.inverse();

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/parameter_check.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -28,9 +30,7 @@ IntensityFrame pdim_frame(std::span<const double> earlier, std::span<const doubl
                           int rows, const PdimParams& params, core::Random& random) {
   check_sizes(earlier, later, columns, rows);
   const double floor = params.noise_level * params.noise_level - 0.5;
-  if (!(floor >= -1e-12))
-    throw std::invalid_argument("noise_level must be >= sqrt(1/2), got " +
-                                std::to_string(params.noise_level));
+  core::require(floor >= -1e-12, "noise_level must be >= sqrt(1/2)", params.noise_level);
   const double sign = params.polarity == Polarity::bright ? 1.0 : -1.0;
   IntensityFrame frame{columns, rows, std::vector<double>(later.size())};
   for (std::size_t i = 0; i < later.size(); ++i) {

@@ -6,8 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/constant_velocity.hpp"
 #include "core/parameter_check.hpp"
-#include "tracking/track_before_detect/pixel_motion.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -43,8 +43,7 @@ void check(const CellExistenceParams& p) {
   core::require(probability(p.birth_existence), "birth_existence must be in (0, 1)", p.birth_existence);
   core::require(probability(p.rank_exponent), "rank_exponent must be in (0, 1)", p.rank_exponent);
   core::require(p.survival > 0.0 && p.survival <= 1.0, "survival must be in (0, 1]", p.survival);
-  core::require(probability(p.confirm_existence), "confirm_existence must be in (0, 1)",
-                p.confirm_existence);
+  core::require(probability(p.confirm_existence), "confirm_existence must be in (0, 1)", p.confirm_existence);
   core::require(p.min_age >= 0, "min_age must be >= 0", p.min_age);
   core::require(p.delete_tentative >= 0.0 && p.delete_tentative < p.birth_existence,
                 "delete_tentative must be >= 0 and below birth_existence", p.delete_tentative);
@@ -52,6 +51,9 @@ void check(const CellExistenceParams& p) {
                 "delete_confirmed must be >= 0 and below confirm_existence", p.delete_confirmed);
   core::require(p.merge_distance >= 0.0, "merge_distance must be >= 0", p.merge_distance);
   core::require(p.birth_distance >= 0.0, "birth_distance must be >= 0", p.birth_distance);
+  core::require_not_negative("sidelobe_ratio", p.sidelobe_ratio);
+  core::require(p.leave_out_existence >= 0.0 && p.leave_out_existence <= 1.0,
+                "leave_out_existence must be in [0, 1]", p.leave_out_existence);
   core::require(p.coast >= 0.0, "coast must be >= 0", p.coast);
   core::require(p.max_tracks >= 1, "max_tracks must be >= 1", p.max_tracks);
 }
@@ -91,8 +93,8 @@ void CellTracker::predict(double time) {
   const double step = time - last_time_;
   last_time_ = time;
   if (tracks_.empty()) return;
-  const Eigen::Matrix4d F = constant_velocity_transition(step);
-  const Eigen::Matrix4d Q = white_acceleration_noise(params_.motion.acceleration_density, step);
+  const Eigen::Matrix4d F = core::constant_velocity_transition(step);
+  const Eigen::Matrix4d Q = params_.motion.acceleration_density * core::white_acceleration_noise(step, 1.0);
   for (CellTrack& track : tracks_) {
     track.state = (F * track.state).eval();
     track.covariance = (F * track.covariance * F.transpose() + Q).eval();

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -24,12 +24,9 @@ std::vector<double> gaussian_kernel(double sigma) {
 
 void check(const MatchedFilterParams& p) {
   const auto odd = [](int n) { return n >= 1 && n % 2 == 1; };
-  if (!(p.sigma.minCoeff() > 0.0))
-    throw std::invalid_argument("sigma must be > 0, got " + std::to_string(p.sigma.minCoeff()));
-  if (!odd(p.block_columns))
-    throw std::invalid_argument("block_columns must be odd, got " + std::to_string(p.block_columns));
-  if (!odd(p.block_rows))
-    throw std::invalid_argument("block_rows must be odd, got " + std::to_string(p.block_rows));
+  core::require(p.sigma.minCoeff() > 0.0, "sigma must be > 0", p.sigma.minCoeff());
+  core::require(odd(p.block_columns), "block_columns must be odd", p.block_columns);
+  core::require(odd(p.block_rows), "block_rows must be odd", p.block_rows);
 }
 
 double mean_of(const std::vector<double>& values) {

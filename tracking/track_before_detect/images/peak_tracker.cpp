@@ -6,8 +6,8 @@
 #include <string>
 #include <tuple>
 
+#include "core/constant_velocity.hpp"
 #include "core/parameter_check.hpp"
-#include "tracking/track_before_detect/pixel_motion.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -103,8 +103,8 @@ void PeakTracker::detect(const IntensityFrame& frame) {
 void PeakTracker::predict(double time) {
   const double step = time - last_time_;
   last_time_ = time;
-  const Eigen::Matrix4d F = constant_velocity_transition(step);
-  const Eigen::Matrix4d Q = white_acceleration_noise(params_.acceleration_density, step);
+  const Eigen::Matrix4d F = core::constant_velocity_transition(step);
+  const Eigen::Matrix4d Q = params_.acceleration_density * core::white_acceleration_noise(step, 1.0);
   for (CellTrack& track : tracks_) {
     track.state = (F * track.state).eval();
     track.covariance = (F * track.covariance * F.transpose() + Q).eval();

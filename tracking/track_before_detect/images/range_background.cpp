@@ -1,8 +1,8 @@
 #include "tracking/track_before_detect/images/range_background.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-#include <string>
+
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -16,8 +16,7 @@ double median_in_place(std::vector<double>& values) {
 }  // namespace
 
 RangeBackground::RangeBackground(const RangeBackgroundParams& params) : params_(params) {
-  if (params.half_window < 0)
-    throw std::invalid_argument("half_window must be >= 0, got " + std::to_string(params.half_window));
+  core::require(params.half_window >= 0, "half_window must be >= 0", params.half_window);
 }
 
 const IntensityFrame& RangeBackground::normalise(const core::SonarImage& image) {

@@ -63,5 +63,12 @@ TEST(LineVoting, NothingIsDeclaredWhereNothingVoted) {
   EXPECT_TRUE(declared({}, candidates).empty());
 }
 
+TEST(LineVoting, RefusesCellsWithoutWidth) {
+  LineVotingParams params;
+  EXPECT_NO_THROW(params.validate());
+  params.rho_step = 0.0;
+  EXPECT_THROW(params.validate(), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lookout::tracking

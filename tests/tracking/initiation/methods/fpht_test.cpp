@@ -47,5 +47,11 @@ TEST(Fpht, AMembershipFallsAsAGaussianOverTheRows) {
   }
 }
 
+TEST(Fpht, RefusesAMembershipWithoutWidth) {
+  FphtParams params;
+  params.cell_sigma = 0.0;
+  EXPECT_THROW(FphtInitiator{params}, std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lookout::tracking
