@@ -48,7 +48,10 @@ std::span<const core::MotionElement> ScanPipeline::estimate(const core::PosedSca
 
 PingResult ScanPipeline::describe(const core::PosedScan& posed) const {
   const core::SonarScan& scan = posed.scan;
-  PingResult result{.utime = scan.utime, .sequence = scan.sequence, .sensor_id = scan.sensor_id};
+  PingResult result;
+  result.utime = scan.utime;
+  result.sequence = scan.sequence;
+  result.sensor_id = scan.sensor_id;
   result.p_earth_sonar = {posed.T_earth_sonar.north, posed.T_earth_sonar.east};
   if (estimator_) {
     result.method = estimator_->method();
@@ -59,9 +62,9 @@ PingResult ScanPipeline::describe(const core::PosedScan& posed) const {
   return result;
 }
 
-void ScanPipeline::explain_to(DecisionLog log) {
-  if (!log || latency_ == 0) return tracker_->explain_to(std::move(log));
-  tracker_->explain_to([log = std::move(log), latency = latency_](TrackDecision decision) {
+void ScanPipeline::explain_to(const DecisionLog& log) {
+  if (!log || latency_ == 0) return tracker_->explain_to(log);
+  tracker_->explain_to([log, latency = latency_](TrackDecision decision) {
     decision.utime += latency;
     log(decision);
   });

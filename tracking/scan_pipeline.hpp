@@ -32,7 +32,7 @@ class ScanPipeline {
   std::span<const core::Track> retrodict(std::int64_t utime);
   bool can_retrodict() const { return tracker_->can_retrodict(); }  ///< See Tracker.
 
-  void explain_to(DecisionLog log);  ///< See Tracker::explain_to; times are those of the scans.
+  void explain_to(const DecisionLog& log);  ///< See Tracker::explain_to; times are those of the scans.
   std::int64_t next_id() const { return tracker_->next_id(); }      ///< See Tracker.
   void set_next_id(std::int64_t id) { tracker_->set_next_id(id); }  ///< See Tracker.
 

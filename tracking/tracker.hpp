@@ -35,7 +35,7 @@ class Tracker {
   virtual std::optional<core::SensorEstimate> sensor_estimate() const { return std::nullopt; }
 
   /// Sends every decision from now on to `log`. Trackers that keep no account of them ignore it.
-  virtual void explain_to(DecisionLog /*log*/) {}
+  virtual void explain_to(const DecisionLog& /*log*/) {}
 
   /// The identity that the next new track gets; identities go on from `set_next_id`, before the first scan.
   virtual std::int64_t next_id() const = 0;

@@ -29,7 +29,7 @@ void confirm_at_birth(TrackLifeParams& life) {
 }
 
 std::unique_ptr<Tracker> make_csht(const TrackerParams& params, const core::SonarParams& sonar,
-                                   std::uint64_t seed) {
+                                   std::uint64_t /*seed*/) {
   CshtTrackerParams csht;
   csht.life.coast_s = params.coast_s;
   csht.min_existence = params.min_existence;

@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/constant_velocity.hpp"
 #include "core/frames.hpp"
 #include "core/random.hpp"
 #include "fusion/fusion.hpp"
@@ -76,7 +77,7 @@ void method_alone(benchmark::State& state, const std::string& method) {
       group.contributions.push_back({tracks.back().get(), tracks.back()->newest().state});
     }
     group.predicted = group.contributions.front().current;
-    group.previous = fusion::moved(group.predicted, -kPeriod);
+    group.previous = core::moved(group.predicted, -kPeriod);
     groups.push_back(group);
   }
   const auto fusion = fusion::make_fusion_method(params_of(method));

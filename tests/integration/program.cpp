@@ -18,8 +18,9 @@ std::string text_of(const std::string& path) {
 
 ProgramResult run_lookout(const std::string& arguments) {
   const TemporaryDirectory folder;
-  const std::string command =
-      std::string(LOOKOUT_PROGRAM) + " " + arguments + " >" + folder.file("out") + " 2>" + folder.file("err");
+  std::string command = LOOKOUT_PROGRAM;
+  command.append(" ").append(arguments).append(" >").append(folder.file("out"));
+  command.append(" 2>").append(folder.file("err"));
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder.file("out")),
           text_of(folder.file("err"))};

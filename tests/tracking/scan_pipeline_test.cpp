@@ -23,7 +23,7 @@ class OneTarget : public Tracker {
     note("update with " + std::to_string(elements.size()));
     return at(scan.scan.utime);
   }
-  void explain_to(DecisionLog log) override { log({.utime = 5 * kSecond}); }
+  void explain_to(const DecisionLog& log) override { log({.utime = 5 * kSecond}); }
   std::int64_t next_id() const override { return 1; }
   void set_next_id(std::int64_t /*id*/) override {}
   bool can_retrodict() const override { return true; }

@@ -129,8 +129,12 @@ TEST(TrackingChain, IsFiveLinesForAProgramOfOnesOwn) {
   TrackingChain chain(
       {}, [&scans](const PingResult& result) { scans += result.method == core::EstimatorMethod::joint; });
   chain.add(core::VehicleState{0, {}, {}});
-  chain.add(core::SonarScan{
-      .utime = 0, .first_bearing = -0.5, .bearing_step = 0.1, .max_range = 90.0, .num_beams = 11});
+  core::SonarScan scan;
+  scan.first_bearing = -0.5;
+  scan.bearing_step = 0.1;
+  scan.max_range = 90.0;
+  scan.num_beams = 11;
+  chain.add(scan);
   chain.finish();
   EXPECT_EQ(scans, 1);
 }

@@ -35,7 +35,7 @@ class JointTracker : public Tracker {
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
   std::optional<core::SensorEstimate> sensor_estimate() const override { return state_.learning.estimate(); }
-  void explain_to(DecisionLog log) override { state_.log = std::move(log); }
+  void explain_to(const DecisionLog& log) override { state_.log = log; }
   std::int64_t next_id() const override { return state_.next_id(); }
   void set_next_id(std::int64_t id) override { state_.set_next_id(id); }
   bool can_retrodict() const override { return true; }

@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <vector>
 
-#include "csht/joint/density/target_track.hpp"
 #include "csht/joint/density/engine_params.hpp"
+#include "csht/joint/density/target_track.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
 
 namespace lookout::csht {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "csht/joint/density/target_prior.hpp"
 #include "csht/joint/density/engine_params.hpp"
+#include "csht/joint/density/target_prior.hpp"
 #include "csht/likelihood/scan_table.hpp"
 #include "csht/likelihood/sensor_model.hpp"
 

@@ -23,7 +23,10 @@ TEST(PingNode, TracksComeLastAndEstimatesWithinTheLinksRate) {
     tracks[i].id = static_cast<std::int64_t>(i) + 1;
     tracks[i].status = core::TrackStatus::confirmed;
   }
-  PingResult result{.utime = 500'000, .sequence = 1, .sensor_id = 9};
+  PingResult result;
+  result.utime = 500'000;
+  result.sequence = 1;
+  result.sensor_id = 9;
   result.tracks = tracks;
   result.sensor_estimate = core::SensorEstimate{};
   output.publish(result);

@@ -14,7 +14,10 @@ ImageChain::ImageChain(const core::SonarParams& configured, std::string_view met
 // An element stands for the newest image alone.
 void ImageChain::track(const core::PosedImage& posed) {
   const core::SonarImage& image = posed.image;
-  PingResult result{.utime = image.utime, .sequence = image.sequence, .sensor_id = image.sensor_id};
+  PingResult result;
+  result.utime = image.utime;
+  result.sequence = image.sequence;
+  result.sensor_id = image.sensor_id;
   result.p_earth_sonar = {posed.T_earth_sonar.north, posed.T_earth_sonar.east};
   result.tracks = tracker_.update(posed);
   elements_ = as_elements(result.tracks, image.utime);
