@@ -4,20 +4,72 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 
 #include "core/input_error.hpp"
+#include "core/text_file.hpp"
+#include "core/time_text.hpp"
 
 namespace lookout::core {
 namespace {
 
-std::vector<std::string> split(std::string_view line) {
-  std::vector<std::string> fields;
-  for (std::size_t start = 0;;) {
-    const std::size_t comma = line.find(',', start);
-    fields.emplace_back(line.substr(start, comma == std::string_view::npos ? comma : comma - start));
-    if (comma == std::string_view::npos) return fields;
-    start = comma + 1;
+constexpr std::string_view kBlanks = " \t";
+constexpr char kQuote = '"';
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+/// The separator of a header: what stands between its names.
+char separator_of(std::string_view header) {
+  for (const char candidate : {',', ';', '\t'}) {
+    if (header.find(candidate) != std::string_view::npos) return candidate;
   }
+  return ',';
+}
+
+/// Takes the first line off `rest`; it ends with a line feed, a carriage return, or both.
+std::string_view take_line(std::string_view& rest) {
+  const std::size_t end = std::min(rest.find_first_of("\r\n"), rest.size());
+  const std::string_view line = rest.substr(0, end);
+  rest.remove_prefix(end);
+  if (rest.starts_with("\r\n"))
+    rest.remove_prefix(2);
+  else if (!rest.empty())
+    rest.remove_prefix(1);
+  return line;
+}
+
+/// Takes a field in quotes off `rest`, from behind the first of them; two quotes are one. False where it
+/// stays open.
+bool take_quoted(std::string_view& rest, std::string& field) {
+  while (!rest.empty()) {
+    const char letter = rest.front();
+    rest.remove_prefix(1);
+    if (letter != kQuote)
+      field += letter;
+    else if (rest.starts_with(kQuote))
+      field += kQuote, rest.remove_prefix(1);
+    else
+      return true;
+  }
+  return false;
+}
+
+template <class Number>
+bool parse(const std::string& text, Number& value) {
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* stop = text.data() + text.size();
+  const auto [end, error] = std::from_chars(begin, stop, value);
+  return error == std::errc() && end == stop;
+}
+
+/// How a value is shown in a message: a damaged file can hold a field of any length.
+std::string shown(const std::string& text) {
+  constexpr std::size_t kLongest = 60;
+  return "`" + (text.size() > kLongest ? text.substr(0, kLongest) + "..." : text) + "`";
 }
 
 }  // namespace
@@ -29,26 +81,63 @@ std::string shortest(double value) {
 }
 
 CsvTable::CsvTable(const std::string& path, std::span<const std::string_view> required) : path_(path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be read; expected a CSV file");
-  std::string line;
-  for (std::size_t number = 1; std::getline(file, line); ++number) {
-    if (!line.empty() && line.back() == '\r') line.pop_back();
+  read(read_text_file(path, "a CSV file"));
+  require_columns(required);
+}
+
+void CsvTable::read(std::string_view content) {
+  for (std::size_t number = 1; !content.empty(); ++number) {
+    const std::string_view line = trimmed(take_line(content));
     if (line.empty()) continue;
-    std::vector<std::string> fields = split(line);
     if (header_.empty()) {
-      header_ = std::move(fields);
+      read_header(line, number);
       continue;
     }
+    std::vector<std::string> fields = split(line, number);
     if (fields.size() != header_.size())
-      throw InputError(path + ":" + std::to_string(number) + ": " + std::to_string(fields.size()) +
+      throw InputError(path_ + ":" + std::to_string(number) + ": " + std::to_string(fields.size()) +
                        " fields, expected " + std::to_string(header_.size()));
     rows_.push_back(std::move(fields));
     lines_.push_back(number);
   }
+}
+
+void CsvTable::read_header(std::string_view line, std::size_t number) {
+  if (line.starts_with('#')) line = trimmed(line.substr(1));
+  separator_ = separator_of(line);
+  header_ = split(line, number);
+  for (std::size_t i = 0; i < header_.size(); ++i) {
+    if (find(header_[i]) != i)
+      throw InputError(path_ + ":" + std::to_string(number) + ": column " + shown(header_[i]) +
+                       " is named twice");
+  }
+}
+
+void CsvTable::require_columns(std::span<const std::string_view> required) const {
   for (const auto column : required) {
-    if (!has(column))
-      throw InputError(path + ":1: column `" + std::string(column) + "` is missing from the header");
+    if (has(column)) continue;
+    std::string found;
+    for (const auto& name : header_) found += (found.empty() ? "" : " ") + name;
+    throw InputError(path_ + ":1: column `" + std::string(column) +
+                     "` is missing from the header, which has " + shown(found));
+  }
+}
+
+std::vector<std::string> CsvTable::split(std::string_view line, std::size_t number) const {
+  std::vector<std::string> fields;
+  for (;;) {
+    const bool quoted = trimmed(line).starts_with(kQuote);
+    std::string field;
+    if (quoted) {
+      line.remove_prefix(line.find(kQuote) + 1);
+      if (!take_quoted(line, field))
+        throw InputError(path_ + ":" + std::to_string(number) + ": a quote is not closed on its line");
+    }
+    const std::size_t end = line.find(separator_);
+    const std::string_view rest = trimmed(line.substr(0, end));
+    fields.push_back(quoted ? field + std::string(rest) : std::string(rest));
+    if (end == std::string_view::npos) return fields;
+    line.remove_prefix(end + 1);
   }
 }
 
@@ -74,22 +163,41 @@ const std::string& CsvTable::text(std::size_t row, std::string_view column) cons
   return field(row, column);
 }
 
-double CsvTable::number(std::size_t row, std::string_view column) const {
-  const std::string& text = field(row, column);
+std::string CsvTable::number_text(std::size_t row, std::string_view column) const {
+  std::string text = field(row, column);
+  if (separator_ == ',') return text;
+  const std::size_t comma = text.find(',');
+  if (comma != std::string::npos && text.find_first_of(".,", comma + 1) == std::string::npos)
+    text[comma] = '.';
+  return text;
+}
+
+double CsvTable::number_or_nan(std::size_t row, std::string_view column) const {
   double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    fail(row, column, "got `" + text + "`, expected a finite number");
+  if (!parse(number_text(row, column), value))
+    fail(row, column, "got " + shown(field(row, column)) + ", expected a number");
+  return std::isfinite(value) ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+double CsvTable::number(std::size_t row, std::string_view column) const {
+  double value = 0.0;
+  if (!parse(number_text(row, column), value) || !std::isfinite(value))
+    fail(row, column, "got " + shown(field(row, column)) + ", expected a finite number");
   return value;
 }
 
 std::int64_t CsvTable::integer(std::size_t row, std::string_view column) const {
-  const std::string& text = field(row, column);
   std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size())
-    fail(row, column, "got `" + text + "`, expected a whole number");
+  if (!parse(field(row, column), value))
+    fail(row, column, "got " + shown(field(row, column)) + ", expected a whole number");
   return value;
+}
+
+std::int64_t CsvTable::time(std::size_t row, std::string_view column) const {
+  const auto utime = parse_time(number_text(row, column));
+  if (!utime)
+    fail(row, column, "got " + shown(field(row, column)) + ", expected seconds, at most 9e9 (microseconds?)");
+  return *utime;
 }
 
 void CsvTable::fail(std::size_t row, std::string_view column, const std::string& message) const {
@@ -97,7 +205,9 @@ void CsvTable::fail(std::size_t row, std::string_view column, const std::string&
                    message);
 }
 
-CsvWriter::CsvWriter(const std::string& path, std::string_view header) : path_(path), file_(path + ".part") {
+CsvWriter::CsvWriter(const std::string& path, std::string_view header) : path_(path) {
+  require_plain_target(path);
+  file_.open(path + ".part");
   if (!file_) throw InputError(path + ": cannot be written");
   file_ << header << '\n';
 }
@@ -116,6 +226,9 @@ void CsvWriter::separate() {
 
 CsvWriter& CsvWriter::number(double value) {
   return text(shortest(value));
+}
+CsvWriter& CsvWriter::time(std::int64_t utime) {
+  return text(time_text(utime));
 }
 CsvWriter& CsvWriter::integer(std::int64_t value) {
   return text(std::to_string(value));
@@ -138,7 +251,9 @@ void CsvWriter::end_row() {
 void CsvWriter::close() {
   file_.close();
   if (!file_) throw std::runtime_error(path_ + ": could not be written completely");
-  std::filesystem::rename(path_ + ".part", path_);
+  std::error_code failed;
+  std::filesystem::rename(path_ + ".part", path_, failed);
+  if (failed) throw std::runtime_error(path_ + ": could not be written: " + failed.message());
   closed_ = true;
 }
 

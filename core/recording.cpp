@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
+#include "core/stamp_checks.hpp"
+#include "core/text_file.hpp"
+#include "core/yaml_reader.hpp"
 
 namespace lookout::core {
 namespace {
@@ -22,20 +26,29 @@ constexpr Columns kElementsHeader =
     "m,"
     "score,existence,support";
 
-std::int64_t utime_of(const CsvTable& table, std::size_t row) {
-  const double time = table.number(row, "time_s");
-  if (std::abs(time) > 9e12) table.fail(row, "time_s", "is beyond the range of a clock in microseconds");
-  return microseconds(time);
-}
-
 double number_or(const CsvTable& table, std::size_t row, Columns column, double fallback) {
   return table.has(column) && !table.empty(row, column) ? table.number(row, column) : fallback;
+}
+
+/// Refuses an identity that stands in a time's list already: two times have been cut to one.
+template <class Items, class Id>
+void require_new(const Items& items, Id id, const CsvTable& table, std::size_t row) {
+  const auto same = [id](const auto& item) { return item.id == id; };
+  if (std::any_of(items.begin(), items.end(), same))
+    table.fail(row, "id", "stands twice at " + table.text(row, "time_s") + " s; were the times cut short?");
+}
+
+std::int32_t target_id(const CsvTable& table, std::size_t row) {
+  const std::int64_t id = table.integer(row, "id");
+  if (id < std::numeric_limits<std::int32_t>::min() || id > std::numeric_limits<std::int32_t>::max())
+    table.fail(row, "id", "is beyond 32 bits");
+  return static_cast<std::int32_t>(id);
 }
 
 /// The list entry of `utime`: the last one where the time repeats, else a new one, which must be later.
 template <class Group>
 Group& group_at(std::vector<Group>& groups, const CsvTable& table, std::size_t row) {
-  const std::int64_t utime = utime_of(table, row);
+  const std::int64_t utime = table.time(row, "time_s");
   if (!groups.empty() && utime < groups.back().utime) table.fail(row, "time_s", "goes back in time");
   if (groups.empty() || utime > groups.back().utime) groups.emplace_back().utime = utime;
   return groups.back();
@@ -51,9 +64,26 @@ SonarScan empty_scan(const SonarParams& params) {
   return scan;
 }
 
-std::vector<SonarScan> read_scans(const std::string& path, const SonarParams& params) {
-  static constexpr std::array<Columns, 3> kRequired{"time_s", "bearing_rad", "range_m"};
+/// A column in radians, or the same in degrees under its other name.
+struct AngleColumn {
+  AngleColumn(const CsvTable& table, Columns in_radians, Columns in_degrees)
+      : name(table.has(in_degrees) && !table.has(in_radians) ? in_degrees : in_radians),
+        unit(name == in_degrees ? radians(1.0) : 1.0) {
+    if (!table.has(name))
+      throw InputError(table.path() + ":1: column `" + std::string(in_radians) + "` (or `" +
+                       std::string(in_degrees) + "`) is missing from the header");
+  }
+  Columns name;
+  double unit;
+};
+
+std::vector<SonarScan> read_scans(const std::string& path, const SonarParams& params,
+                                  std::vector<std::string>& notes) {
+  static constexpr std::array<Columns, 2> kRequired{"time_s", "range_m"};
   const CsvTable table(path, kRequired);
+  const AngleColumn bearing(table, "bearing_rad", "bearing_deg");
+  ScanStamps stamps(table);
+  ReturnChecks returns(table, bearing.name);
   std::vector<SonarScan> scans;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
     const std::size_t before = scans.size();
@@ -64,25 +94,31 @@ std::vector<SonarScan> read_scans(const std::string& path, const SonarParams& pa
       scan.utime = utime;
       scan.sequence = static_cast<std::int64_t>(before);
     }
-    if (table.empty(row, "bearing_rad") && table.empty(row, "range_m")) continue;
-    scan.returns.push_back({table.number(row, "bearing_rad"), table.number(row, "range_m"),
-                            number_or(table, row, "intensity", 1.0)});
+    const bool blank = table.empty(row, bearing.name) && table.empty(row, "range_m");
+    stamps.add(row, scan.utime, blank);
+    if (blank) continue;
+    const SonarReturn echo{bearing.unit * table.number_or_nan(row, bearing.name),
+                           table.number_or_nan(row, "range_m"), number_or(table, row, "intensity", 1.0)};
+    if (returns.is_echo(row, echo)) scan.returns.push_back(echo);
   }
+  stamps.finish(notes);
+  returns.finish(notes);
   return scans;
 }
 
 std::vector<VehicleState> read_vehicle(const std::string& path) {
-  static constexpr std::array<Columns, 4> kRequired{"time_s", "north_m", "east_m", "heading_rad"};
+  static constexpr std::array<Columns, 3> kRequired{"time_s", "north_m", "east_m"};
   const CsvTable table(path, kRequired);
+  const AngleColumn heading(table, "heading_rad", "heading_deg");
   std::vector<VehicleState> states;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
-    const std::int64_t utime = utime_of(table, row);
+    const std::int64_t utime = table.time(row, "time_s");
     if (!states.empty() && utime <= states.back().utime)
       table.fail(row, "time_s", "is not later than the row before");
-    states.push_back(
-        {utime,
-         {table.number(row, "north_m"), table.number(row, "east_m"), table.number(row, "heading_rad")},
-         {0.0, 0.0}});
+    states.push_back({utime,
+                      {table.number(row, "north_m"), table.number(row, "east_m"),
+                       heading.unit * table.number(row, heading.name)},
+                      {0.0, 0.0}});
   }
   return states;
 }
@@ -91,15 +127,11 @@ void write_scans(const std::string& path, const std::vector<SonarScan>& scans) {
   CsvWriter csv(path, kScansHeader);
   for (const auto& scan : scans) {
     if (scan.returns.empty()) {
-      csv.number(seconds(scan.utime)).blank().blank().blank().end_row();
+      csv.time(scan.utime).blank().blank().blank().end_row();
       continue;
     }
     for (const auto& echo : scan.returns)
-      csv.number(seconds(scan.utime))
-          .number(echo.bearing)
-          .number(echo.range)
-          .number(echo.intensity)
-          .end_row();
+      csv.time(scan.utime).number(echo.bearing).number(echo.range).number(echo.intensity).end_row();
   }
   csv.close();
 }
@@ -108,7 +140,7 @@ void write_vehicle(const std::string& path, const std::vector<VehicleState>& sta
   CsvWriter csv(path, kVehicleHeader);
   for (const auto& state : states) {
     const Pose2& pose = state.T_earth_body;
-    csv.number(seconds(state.utime)).number(pose.north).number(pose.east).number(pose.heading).end_row();
+    csv.time(state.utime).number(pose.north).number(pose.east).number(pose.heading).end_row();
   }
   csv.close();
 }
@@ -126,7 +158,8 @@ std::vector<GroundTruth> read_truth(const std::string& path) {
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
     GroundTruth& group = group_at(truth, table, row);
     TargetTruth target;
-    target.id = static_cast<std::int32_t>(table.integer(row, "id"));
+    target.id = target_id(table, row);
+    require_new(group.targets, target.id, table, row);
     target.position = {table.number(row, "north_m"), table.number(row, "east_m")};
     target.velocity = {number_or(table, row, "north_velocity_mps", 0.0),
                        number_or(table, row, "east_velocity_mps", 0.0)};
@@ -140,7 +173,7 @@ void write_truth(const std::string& path, const std::vector<GroundTruth>& truth)
   CsvWriter csv(path, kTruthHeader);
   for (const auto& group : truth) {
     for (const auto& target : group.targets) {
-      csv.number(seconds(group.utime)).integer(target.id);
+      csv.time(group.utime).integer(target.id);
       write_state(csv, target.position, target.velocity).integer(target.visible ? 1 : 0).end_row();
     }
   }
@@ -153,14 +186,19 @@ Recording read_recording(const std::string& directory, const SonarParams& defaul
     throw InputError(directory + ": is not a directory; expected a recording with scans.csv and vehicle.csv");
   Recording recording;
   SonarParams params = defaults;
+  std::optional<double> stated_period;
   if (std::filesystem::exists(folder / "sonar.yaml")) {
-    read_sonar_params((folder / "sonar.yaml").string(), params);
+    const YamlMap map = YamlMap::load_file((folder / "sonar.yaml").string());
+    read_sonar_params(map, params);
+    if (map.has("scan_period")) stated_period = params.scan_period;
     recording.params = params;
   }
-  recording.scans = read_scans((folder / "scans.csv").string(), params);
+  recording.scans = read_scans((folder / "scans.csv").string(), params, recording.notes);
   recording.vehicle = read_vehicle((folder / "vehicle.csv").string());
   if (std::filesystem::exists(folder / "truth.csv"))
     recording.truth = read_truth((folder / "truth.csv").string());
+  if (const auto note = coarse_stamps(recording.scans, stated_period))
+    recording.notes.push_back((folder / "scans.csv").string() + ": " + *note);
   return recording;
 }
 
@@ -170,18 +208,14 @@ void write_recording(const std::string& directory, const Recording& recording) {
   write_scans((folder / "scans.csv").string(), recording.scans);
   write_vehicle((folder / "vehicle.csv").string(), recording.vehicle);
   if (!recording.truth.empty()) write_truth((folder / "truth.csv").string(), recording.truth);
-  if (recording.params) {
-    std::ofstream file(folder / "sonar.yaml");
-    file << to_yaml(*recording.params);
-    if (!file) throw std::runtime_error((folder / "sonar.yaml").string() + ": could not be written");
-  }
+  if (recording.params) write_text_file((folder / "sonar.yaml").string(), to_yaml(*recording.params));
 }
 
 void write_tracks(const std::string& path, const std::vector<TrackList>& lists) {
   CsvWriter csv(path, kTracksHeader);
   for (const auto& list : lists) {
     for (const auto& track : list.tracks) {
-      csv.number(seconds(list.utime)).integer(track.id).text(to_string(track.status));
+      csv.time(list.utime).integer(track.id).text(to_string(track.status));
       write_state(csv, track.position(), track.velocity()).number(track.existence).end_row();
     }
   }
@@ -196,6 +230,7 @@ std::vector<TrackList> read_tracks(const std::string& path) {
     TrackList& list = group_at(lists, table, row);
     Track track;
     track.id = table.integer(row, "id");
+    require_new(list.tracks, track.id, table, row);
     track.status = TrackStatus::confirmed;
     if (table.has("status")) {
       const std::string& status = table.text(row, "status");
@@ -218,8 +253,8 @@ void write_elements(const std::string& path, const std::vector<ElementList>& lis
   CsvWriter csv(path, kElementsHeader);
   for (const auto& list : lists) {
     for (const auto& element : list.elements) {
-      csv.number(seconds(list.utime));
-      write_state(csv, element.position, element.velocity).number(seconds(element.initial_utime));
+      csv.time(list.utime);
+      write_state(csv, element.position, element.velocity).time(element.initial_utime);
       csv.number(element.initial_position.x()).number(element.initial_position.y());
       csv.number(element.score).number(element.existence).integer(element.support).end_row();
     }

@@ -20,9 +20,12 @@ struct Recording {
   std::vector<VehicleState> vehicle;  ///< In order of time.
   std::vector<GroundTruth> truth;     ///< Empty where there is no truth.csv.
   std::optional<SonarParams> params;  ///< Of sonar.yaml, over `defaults`; nothing where there is none.
+  std::vector<std::string> notes;     ///< What a reader should be told of the files: a line each.
 };
 
-/// Reads `scans.csv`, `vehicle.csv` and, where present, `truth.csv` and `sonar.yaml`.
+/// Reads `scans.csv`, `vehicle.csv` and, where present, `truth.csv` and `sonar.yaml`. Angles may stand in
+/// degrees
+/// (`bearing_deg`, `heading_deg`); a bearing or range of nan or inf is a silence and counted in `notes`.
 /// @param defaults what sonar.yaml overrides, and the geometry of the scans.
 /// @throws InputError naming file, line and column.
 Recording read_recording(const std::string& directory, const SonarParams& defaults = {});

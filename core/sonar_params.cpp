@@ -8,6 +8,15 @@
 namespace lookout::core {
 namespace {
 
+// What a sensor can have. Beyond the upper ends the intake refuses every scan
+// (tracking/intake/ping_checks.hpp); beyond the lower ones the windows of scans and the grids of ranges grow
+// to gigabytes.
+constexpr Range kRanges{0.1, 50'000.0};        // [m]
+constexpr Range kRangeSigmas{0.005, 5'000.0};  // [m]
+constexpr Range kSpeeds{0.0, 1e4, true};       // [m/s]
+constexpr Range kPeriods{0.005, 3'600.0};      // [s]
+constexpr Range kMounts{-1'000.0, 1'000.0};    // [m]
+
 void read_degrees(const YamlMap& map, const std::string& key, double& value,
                   const Range& range = kAnyNumber) {
   if (const auto number = map.optional_number(key, range)) value = radians(*number);
@@ -35,18 +44,18 @@ void read_sonar_params(const YamlMap& map, SonarParams& params) {
   params.num_beams = map.integer("num_beams", params.num_beams, {1, 30000});
   read_degrees(map, "first_bearing_deg", params.first_bearing, {-360, 360});
   read_degrees(map, "bearing_step_deg", params.bearing_step, {0, 360, true});
-  params.max_range = map.number("max_range", params.max_range, kPositive);
-  params.T_body_sonar.north = map.number("mount_x", params.T_body_sonar.north);
-  params.T_body_sonar.east = map.number("mount_y", params.T_body_sonar.east);
+  params.max_range = map.number("max_range", params.max_range, kRanges);
+  params.T_body_sonar.north = map.number("mount_x", params.T_body_sonar.north, kMounts);
+  params.T_body_sonar.east = map.number("mount_y", params.T_body_sonar.east, kMounts);
   read_degrees(map, "mount_heading_deg", params.T_body_sonar.heading, {-360, 360});
-  params.range_sigma = map.number("range_sigma", params.range_sigma, kPositive);
+  params.range_sigma = map.number("range_sigma", params.range_sigma, kRangeSigmas);
   if (const auto sigma = map.optional_number("bearing_sigma_deg", {0, 90, true}))
     params.bearing_sigma = radians(*sigma);
   read_degrees(map, "heading_sigma_deg", params.heading_sigma, {0, 90});
   params.position_sigma = map.number("position_sigma", params.position_sigma, kNotNegative);
   params.resolution = map.number("resolution", params.resolution, kNotNegative);
-  params.max_speed = map.number("max_speed", params.max_speed, kPositive);
-  params.scan_period = map.number("scan_period", params.scan_period, kPositive);
+  params.max_speed = map.number("max_speed", params.max_speed, kSpeeds);
+  params.scan_period = map.number("scan_period", params.scan_period, kPeriods);
   params.latency = map.number("latency", params.latency, {0, 60});
   read_optional(map, "miss_probability", params.miss_probability, kProbability);
   read_optional(map, "false_alarm_probability", params.false_alarm_probability, kProbability);

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
+#include <set>
 #include <sstream>
 
 #include "core/input_error.hpp"
+#include "core/text_file.hpp"
 
 namespace lookout::core {
 namespace {
@@ -31,10 +32,85 @@ bool contains(const Range& range, double value) {
          (range.open_min ? value > range.min : value >= range.min);
 }
 
+/// How a key or value is shown in a message: a damaged file can hold one of any length.
+std::string shown(const std::string& text) {
+  constexpr std::size_t kLongest = 60;
+  return "`" + (text.size() > kLongest ? text.substr(0, kLongest) + "..." : text) + "`";
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string line;
   for (const auto& word : words) line += (line.empty() ? "" : " ") + word;
   return line;
+}
+
+constexpr const char* kMergeKey = "<<";
+constexpr int kDeepest = 40;         // Levels of a configuration; an alias of itself has no end.
+constexpr int kMostNodes = 200'000;  // An alias of an alias of an alias grows without a bound.
+
+/// Resolves the merge keys of a document and refuses what YAML takes in silence: a key that stands twice in a
+/// mapping, at any depth.
+class Resolver {
+ public:
+  explicit Resolver(const std::string& file) : file_(file) {}
+
+  void resolve(YAML::Node node, int depth = 0) {
+    if (depth > kDeepest || ++nodes_ > kMostNodes) fail(node, "is nested too deep or refers to itself");
+    if (node.IsSequence())
+      for (auto element : node) resolve(element, depth + 1);
+    if (!node.IsMap()) return;
+    refuse_repeated_keys(node);
+    for (auto entry : node) resolve(entry.second, depth + 1);
+    if (const YAML::Node merged = static_cast<const YAML::Node&>(node)[kMergeKey]) merge(node, merged);
+  }
+
+  /// The mappings that were merged into others: their own keys need not be known ones.
+  const std::vector<YAML::Node>& sources() const { return sources_; }
+
+ private:
+  [[noreturn]] void fail(const YAML::Node& node, const std::string& message) const {
+    throw InputError(where(file_, node.Mark()) + ": " + message);
+  }
+
+  void refuse_repeated_keys(const YAML::Node& map) const {
+    std::set<std::string> seen;
+    for (const auto& entry : map) {
+      if (!entry.first.IsScalar()) fail(entry.first, "a key is no plain text; expected `key: value`");
+      if (!seen.insert(entry.first.Scalar()).second)
+        fail(entry.first, "key " + shown(entry.first.Scalar()) + " is given twice");
+    }
+  }
+
+  /// The keys of `merged` (a mapping, or a list of them) that `map` does not have itself.
+  void merge(YAML::Node map, const YAML::Node& merged) {
+    std::vector<YAML::Node> sources;
+    if (merged.IsSequence())
+      for (const auto& source : merged) sources.push_back(source);
+    else
+      sources.push_back(merged);
+    map.remove(kMergeKey);
+    for (const auto& source : sources) {
+      if (!source.IsMap()) fail(merged, "<<: expected a mapping, by its *name, or a list of them");
+      sources_.push_back(source);
+      for (const auto& entry : source)
+        if (!static_cast<const YAML::Node&>(map)[entry.first.Scalar()])
+          map.force_insert(entry.first, entry.second);
+    }
+  }
+
+  const std::string& file_;
+  int nodes_ = 0;
+  std::vector<YAML::Node> sources_;
+};
+
+/// The only document of `text`.
+YAML::Node only_document(const std::string& text, const std::string& name) {
+  const std::vector<YAML::Node> documents = YAML::LoadAll(text);
+  for (std::size_t i = 1; i < documents.size(); ++i) {
+    if (!documents[i].IsNull())
+      throw InputError(where(name, documents[i].Mark()) + ": a second document; expected one in the file");
+  }
+  return documents.empty() ? YAML::Node() : documents.front();
 }
 
 }  // namespace
@@ -42,7 +118,22 @@ std::string joined(const std::vector<std::string>& words) {
 struct YamlMap::Impl {
   YAML::Node node;
   std::string file;
+  std::vector<YAML::Node> merge_sources;
   mutable std::vector<std::string> accepted;
+
+  /// A mapping inside this one.
+  std::shared_ptr<Impl> inner(const YAML::Node& map) const {
+    auto impl = std::make_shared<Impl>();
+    impl->node.reset(map);
+    impl->file = file;
+    impl->merge_sources = merge_sources;
+    return impl;
+  }
+
+  bool is_merge_source(const YAML::Node& value) const {
+    return std::any_of(merge_sources.begin(), merge_sources.end(),
+                       [&value](const YAML::Node& source) { return source.is(value); });
+  }
 
   /// The value of `key`, remembered as accepted. A const lookup: operator[] of a mutable node would insert.
   YAML::Node find(const std::string& key) const {
@@ -55,30 +146,22 @@ struct YamlMap::Impl {
 YamlMap::YamlMap(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}
 
 YamlMap YamlMap::load_file(const std::string& path) {
-  std::ifstream file(path);
-  if (!file) throw InputError(path + ": cannot be read; expected a YAML file");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return load_text(text.str(), path);
+  return load_text(read_text_file(path, "a YAML file"), path);
 }
 
 YamlMap YamlMap::load_text(const std::string& text, const std::string& name) {
-  YAML::Node node;
+  auto impl = std::make_shared<Impl>();
+  impl->file = name;
   try {
-    node = YAML::Load(text);
+    YAML::Node node = only_document(text, name);
+    if (node.IsNull()) node = YAML::Node(YAML::NodeType::Map);
+    if (!node.IsMap()) throw InputError(where(name, node.Mark()) + ": expected a mapping of `key: value`");
+    Resolver resolver(impl->file);
+    resolver.resolve(node);
+    impl->node.reset(node);
+    impl->merge_sources = resolver.sources();
   } catch (const YAML::Exception& error) {
     throw InputError(where(name, error.mark) + ": not valid YAML: " + error.msg);
-  }
-  if (node.IsNull()) node = YAML::Node(YAML::NodeType::Map);
-  if (!node.IsMap()) throw InputError(where(name, node.Mark()) + ": expected a mapping of `key: value`");
-  auto impl = std::make_shared<Impl>();
-  impl->node.reset(node);
-  impl->file = name;
-  for (auto a = node.begin(); a != node.end(); ++a) {
-    for (auto b = node.begin(); b != a; ++b) {
-      if (a->first.Scalar() == b->first.Scalar())
-        throw InputError(where(name, a->first.Mark()) + ": key `" + a->first.Scalar() + "` is given twice");
-    }
   }
   return YamlMap(std::move(impl));
 }
@@ -98,7 +181,7 @@ std::optional<double> YamlMap::optional_number(const std::string& key, const Ran
   if (!value) return std::nullopt;
   double number = 0.0;
   if (!value.IsScalar() || !YAML::convert<double>::decode(value, number) || !contains(range, number))
-    fail(key, "got `" + (value.IsScalar() ? value.Scalar() : "a list or mapping") + "`, expected " +
+    fail(key, "got " + (value.IsScalar() ? shown(value.Scalar()) : "a list or mapping") + ", expected " +
                   describe(range));
   return number;
 }
@@ -140,7 +223,7 @@ std::string YamlMap::choice(const std::string& key, const std::string& fallback,
                             const std::vector<std::string>& accepted) const {
   std::string value = text(key, fallback);
   if (std::find(accepted.begin(), accepted.end(), value) == accepted.end() && has(key))
-    fail(key, "got `" + value + "`, expected one of: " + joined(accepted));
+    fail(key, "got " + shown(value) + ", expected one of: " + joined(accepted));
   return value;
 }
 
@@ -162,10 +245,7 @@ std::optional<YamlMap> YamlMap::map(const std::string& key) const {
   const YAML::Node value = impl_->find(key);
   if (!value) return std::nullopt;
   if (!value.IsMap()) fail(key, "expected a mapping of `key: value`");
-  auto impl = std::make_shared<Impl>();
-  impl->node.reset(value);
-  impl->file = impl_->file;
-  return YamlMap(std::move(impl));
+  return YamlMap(impl_->inner(value));
 }
 
 std::vector<YamlMap> YamlMap::maps(const std::string& key) const {
@@ -175,10 +255,7 @@ std::vector<YamlMap> YamlMap::maps(const std::string& key) const {
   std::vector<YamlMap> result;
   for (const auto& element : value) {
     if (!element.IsMap()) fail(key, "expected a list of mappings");
-    auto impl = std::make_shared<Impl>();
-    impl->node.reset(element);
-    impl->file = impl_->file;
-    result.push_back(YamlMap(std::move(impl)));
+    result.push_back(YamlMap(impl_->inner(element)));
   }
   return result;
 }
@@ -187,8 +264,9 @@ void YamlMap::finish() const {
   for (const auto& entry : impl_->node) {
     const std::string& key = entry.first.Scalar();
     if (std::find(impl_->accepted.begin(), impl_->accepted.end(), key) != impl_->accepted.end()) continue;
-    throw InputError(where(impl_->file, entry.first.Mark()) + ": unknown key `" + key +
-                     "`, accepted: " + joined(impl_->accepted));
+    if (impl_->is_merge_source(entry.second)) continue;
+    throw InputError(where(impl_->file, entry.first.Mark()) + ": unknown key " + shown(key) +
+                     ", accepted: " + joined(impl_->accepted));
   }
 }
 

@@ -51,6 +51,49 @@ TEST(Csv, RefusesMissingColumnShortRowAndMissingFile) {
             std::string::npos);
 }
 
+TEST(Csv, ReadsWhatSpreadsheetsWrite) {
+  const tests::TemporaryDirectory folder;
+  for (const std::string text :
+       {"\xEF\xBB\xBF"
+        "a,b\n1,-2.5\n",
+        "a;b\n1;-2,5", "a\tb\r1\t-2,5\r", " a , \"b\" \r\n \"1\" , -2.5 \r\n", "# a,b\n+1,-2.5\n"}) {
+    const CsvTable table(folder.write("t.csv", text), kColumns);
+    ASSERT_EQ(table.num_rows(), 1u) << text;
+    EXPECT_EQ(table.integer(0, "a"), 1) << text;
+    EXPECT_DOUBLE_EQ(table.number(0, "b"), -2.5) << text;
+  }
+}
+
+TEST(Csv, QuotesHoldSeparatorsAndQuotes) {
+  const tests::TemporaryDirectory folder;
+  const CsvTable table(folder.write("t.csv", "a,b\n\"x, \"\"y\"\"\",2\n"), kColumns);
+  EXPECT_EQ(table.text(0, "a"), "x, \"y\"");
+  EXPECT_NE(
+      error_of([&] { CsvTable(folder.write("q.csv", "a,b\n\"1,2\n"), kColumns); }).find(":2: a quote is not"),
+      std::string::npos);
+}
+
+TEST(Csv, AColumnNamedTwiceIsRefused) {
+  const tests::TemporaryDirectory folder;
+  EXPECT_NE(
+      error_of([&] { CsvTable(folder.write("t.csv", "a,b,a\n"), kColumns); }).find("`a` is named twice"),
+      std::string::npos);
+}
+
+TEST(Csv, TimesAreMicrosecondsBothWays) {
+  const tests::TemporaryDirectory folder;
+  CsvWriter writer(folder.file("t.csv"), "a,b");
+  writer.time(107'438'450).time(1'700'000'000'000'000).end_row();
+  writer.close();
+  const CsvTable table(folder.file("t.csv"), kColumns);
+  EXPECT_EQ(table.text(0, "a"), "107.43845");
+  EXPECT_EQ(table.time(0, "b"), 1'700'000'000'000'000);
+}
+
+TEST(Csv, AWriterReplacesNoDevice) {
+  EXPECT_NE(error_of([] { CsvWriter("/dev/null", "a"); }).find("is a device"), std::string::npos);
+}
+
 TEST(Csv, AnUnclosedWriterLeavesNoFile) {
   const tests::TemporaryDirectory folder;
   {

@@ -57,6 +57,14 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   EXPECT_FALSE(back.false_alarm_probability);
 }
 
+TEST(SonarParams, RefusesWhatNoSensorHasWithLineAndKey) {
+  for (const std::string text : {"max_range: 60000", "max_range: 1e300", "range_sigma: 0.001",
+                                 "scan_period: 1e-5", "scan_period: 1e9", "mount_x: 1e5"}) {
+    SonarParams params;
+    EXPECT_THROW(read_sonar_params(YamlMap::load_text(text, "t"), params), InputError) << text;
+  }
+}
+
 TEST(SonarParams, LaterKindOfClutterWins) {
   SonarParams params;
   params.false_alarm_probability = 0.3;

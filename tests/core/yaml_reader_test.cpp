@@ -64,6 +64,41 @@ TEST(YamlReader, DuplicateKeyAndMissingFileAreRefused) {
   EXPECT_NE(error_of([] { YamlMap::load_file("/nowhere.yaml"); }).find("cannot be read"), std::string::npos);
 }
 
+TEST(YamlReader, DuplicateKeysAreRefusedAtAnyDepth) {
+  EXPECT_EQ(error_of([] { YamlMap::load_text("m:\n  a: 1\n  a: 2\n", "t.yaml"); }),
+            "t.yaml:3:3: key `a` is given twice");
+  EXPECT_EQ(error_of([] { YamlMap::load_text("l: [{a: 1, a: 2}]\n", "t.yaml"); }),
+            "t.yaml:1:12: key `a` is given twice");
+}
+
+TEST(YamlReader, ASecondDocumentIsRefusedWithItsLine) {
+  EXPECT_EQ(error_of([] { YamlMap::load_text("a: 1\n---\na: 2\n", "t.yaml"); }),
+            "t.yaml:3:1: a second document; expected one in the file");
+  EXPECT_NO_THROW(YamlMap::load_text("---\na: 1\n...\n", "t.yaml"));
+}
+
+TEST(YamlReader, MergeKeysBringTheKeysThatAMappingLacks) {
+  const auto map = YamlMap::load_text("base: &b {x: 1, y: 2}\nm:\n  <<: *b\n  y: 3\n", "t.yaml");
+  const auto merged = map.map("m");
+  EXPECT_DOUBLE_EQ(merged->number("x", 0.0), 1.0);
+  EXPECT_DOUBLE_EQ(merged->number("y", 0.0), 3.0);
+  EXPECT_NO_THROW(merged->finish());
+  EXPECT_NO_THROW(map.finish());  // What is merged elsewhere may have a name of its own.
+  EXPECT_NE(error_of([] {
+              YamlMap::load_text("m: {<<: 3}\n", "t.yaml");
+            }).find("t.yaml:1:9: <<: expected a mapping"),
+            std::string::npos);
+}
+
+TEST(YamlReader, AnAliasOfItselfIsRefused) {
+  EXPECT_NE(error_of([] { YamlMap::load_text("a: &a {b: *a}\n", "t.yaml"); }).find("refers to itself"),
+            std::string::npos);
+}
+
+TEST(YamlReader, ADirectoryIsRefused) {
+  EXPECT_NE(error_of([] { YamlMap::load_file("/tmp"); }).find("/tmp: is a directory"), std::string::npos);
+}
+
 TEST(YamlReader, ChoiceListsWhatIsAccepted) {
   const auto map = YamlMap::load_text("clutter: heavy\n", "t.yaml");
   EXPECT_EQ(error_of([&] {

@@ -1,0 +1,70 @@
+#include "core/text_file.hpp"
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+
+#include "core/input_error.hpp"
+
+namespace lookout::core {
+namespace {
+
+constexpr std::size_t kLargestFile = std::size_t{2} << 30;  // A device without an end is not read for ever.
+constexpr std::size_t kChunk = std::size_t{1} << 20;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+std::string read_bytes(const std::string& path, std::string_view expected) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
+    throw InputError(path + ": is a directory; expected " + std::string(expected));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw InputError(path + ": cannot be read; expected " + std::string(expected));
+  std::string bytes;
+  while (file && bytes.size() <= kLargestFile) {
+    const std::size_t before = bytes.size();
+    bytes.resize(before + kChunk);
+    file.read(bytes.data() + before, static_cast<std::streamsize>(kChunk));
+    bytes.resize(before + static_cast<std::size_t>(file.gcount()));
+  }
+  if (file.bad()) throw InputError(path + ": cannot be read; expected " + std::string(expected));
+  if (bytes.size() > kLargestFile)
+    throw InputError(path + ": is above 2 GB; expected " + std::string(expected));
+  return bytes;
+}
+
+}  // namespace
+
+std::string read_text_file(const std::string& path, std::string_view expected) {
+  std::string text = read_bytes(path, expected);
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    throw InputError(path + ": is UTF-16 text; save it as UTF-8 (iconv -f UTF-16 -t UTF-8)");
+  if (text.find('\0') != std::string::npos)
+    throw InputError(path + ": holds a zero byte: binary or UTF-16; expected " + std::string(expected) +
+                     " in UTF-8");
+  if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
+  return text;
+}
+
+void require_plain_target(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw InputError(path + ": is " + (std::filesystem::is_directory(status) ? "a directory" : "a device") +
+                     "; expected a plain file to write");
+}
+
+void write_text_file(const std::string& path, std::string_view text) {
+  require_plain_target(path);
+  const std::string part = path + ".part";
+  std::ofstream file(part, std::ios::binary);
+  if (!file) throw InputError(path + ": cannot be written");
+  file << text;
+  file.close();
+  std::error_code failed;
+  if (file) std::filesystem::rename(part, path, failed);
+  if (file && !failed) return;
+  std::filesystem::remove(part, failed);
+  throw std::runtime_error(path + ": could not be written completely");
+}
+
+}  // namespace lookout::core

@@ -1,0 +1,96 @@
+#include "core/stamp_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/recording.hpp"
+#include "tests/support/reading.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace lookout::core {
+namespace {
+
+using testing::error_of;
+
+/// A recording whose scans.csv holds `rows` under its header.
+class StampedRecording {
+ public:
+  explicit StampedRecording(const std::string& rows, const std::string& bearing = "bearing_rad") {
+    folder_.write("vehicle.csv", "time_s,north_m,east_m,heading_rad\n0,0,0,0\n1,0,0,0\n");
+    folder_.write("scans.csv", "time_s," + bearing + ",range_m,intensity\n" + rows);
+  }
+  void state_period(const std::string& seconds) {
+    folder_.write("sonar.yaml", "scan_period: " + seconds + "\n");
+  }
+  Recording read() const { return read_recording(folder_.path()); }
+  std::string error() const {
+    const std::string text = error_of([&] { read(); });
+    return text.substr(std::min(text.size(), folder_.path().size()));
+  }
+  std::string notes() const {
+    std::string all;
+    for (const auto& note : read().notes) all += note + "\n";
+    return all;
+  }
+
+ private:
+  tests::TemporaryDirectory folder_;
+};
+
+TEST(StampChecks, AnEmptyScanAmongReturnsMeansCutStamps) {
+  EXPECT_EQ(
+      StampedRecording("0,.1,5,1\n0,,,\n1,.1,5,1\n").error().find("/scans.csv:3: time_s: a scan without"),
+      0u);
+  EXPECT_EQ(StampedRecording("0,,,\n0,.1,5,1\n").error().find("/scans.csv:3: time_s: a scan without"), 0u);
+  EXPECT_EQ(StampedRecording("0,,,\n1,.1,5,1\n").notes(), "");
+}
+
+TEST(StampChecks, TimesOfThirtyTwoBitFloatsAreRefused) {
+  // Floats near 1.7e9 are 128 apart.
+  EXPECT_EQ(StampedRecording("1700000000,.1,5,1\n1700000000,.2,5,1\n1700000128,.1,5,1\n")
+                .error()
+                .find("/scans.csv:4: time_s: every time is one of a 32-bit float"),
+            0u);
+  EXPECT_EQ(StampedRecording("1700000000,.1,5,1\n1700000001,.1,5,1\n").notes(), "");
+}
+
+TEST(StampChecks, TimesOfSixDigitsAreRefused) {
+  EXPECT_EQ(StampedRecording("1.7e+09,.1,5,1\n1.7e+09,.2,5,1\n")
+                .error()
+                .find("/scans.csv:3: time_s: got `1.7e+09`"),
+            0u);
+}
+
+TEST(StampChecks, WholeSecondsUnderAShorterStatedPeriodAreNoted) {
+  StampedRecording recording("0,.1,5,1\n0,.2,5,1\n1,.1,5,1\n2,.1,5,1\n");
+  EXPECT_EQ(recording.notes(), "");  // A period of one second is as likely.
+  recording.state_period("0.25");
+  EXPECT_NE(recording.notes().find("whole multiples of 1 s, but sonar.yaml states scan_period 0.25 s"),
+            std::string::npos);
+}
+
+TEST(StampChecks, NanReturnsAreSilencesAndCounted) {
+  const StampedRecording recording("0,nan,5,1\n0,.1,inf,1\n0,.1,5,1\n1,.1,NaN,1\n");
+  EXPECT_EQ(recording.read().scans.at(0).returns.size(), 1u);
+  EXPECT_EQ(recording.read().scans.at(1).returns.size(), 0u);
+  EXPECT_NE(recording.notes().find("scans.csv:2: 3 of 4 rows have no finite bearing or range"),
+            std::string::npos);
+}
+
+TEST(StampChecks, DegreesAreReadUnderTheirNameAndSuspectedUnderTheOther) {
+  const StampedRecording degrees("0,90,5,1\n1,-90,5,1\n", "bearing_deg");
+  EXPECT_NEAR(degrees.read().scans[0].returns[0].bearing, 1.5707963, 1e-7);  // pi / 2
+  EXPECT_EQ(degrees.notes(), "");
+  EXPECT_NE(StampedRecording("0,.1,5,1\n1,90,5,1\n")
+                .notes()
+                .find("scans.csv:3: 1 of 2 rows have a bearing_rad beyond"),
+            std::string::npos);
+}
+
+TEST(StampChecks, AnIdentityTwiceAtOneTimeIsRefused) {
+  const tests::TemporaryDirectory folder;
+  const auto path = folder.write("truth.csv", "time_s,id,north_m,east_m\n0,1,0,0\n0,1,5,0\n");
+  EXPECT_EQ(error_of([&] { read_truth(path); }).find(path + ":3: id: stands twice at 0 s"), 0u);
+}
+
+}  // namespace
+}  // namespace lookout::core

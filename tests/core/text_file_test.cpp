@@ -1,0 +1,49 @@
+#include "core/text_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/reading.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace lookout::core {
+namespace {
+
+using testing::error_of;
+
+TEST(TextFile, ReadsBackWhatItWroteAndDropsAByteOrderMark) {
+  const tests::TemporaryDirectory folder;
+  write_text_file(folder.file("a.txt"), "one\ntwo");
+  EXPECT_EQ(read_text_file(folder.file("a.txt"), "text"), "one\ntwo");
+  EXPECT_EQ(read_text_file(folder.write("b.txt", "\xEF\xBB\xBFone"), "text"), "one");
+}
+
+TEST(TextFile, NamesTheCureForUtf16) {
+  const tests::TemporaryDirectory folder;
+  const std::string path = folder.write("u.csv", std::string("\xFF\xFE"
+                                                             "a\0",
+                                                             4));
+  EXPECT_EQ(error_of([&] { read_text_file(path, "a CSV file"); }),
+            path + ": is UTF-16 text; save it as UTF-8 (iconv -f UTF-16 -t UTF-8)");
+}
+
+TEST(TextFile, RefusesDirectoriesAbsentAndBinaryFiles) {
+  const tests::TemporaryDirectory folder;
+  EXPECT_EQ(error_of([&] { read_text_file(folder.path(), "a YAML file"); }),
+            folder.path() + ": is a directory; expected a YAML file");
+  EXPECT_NE(error_of([&] { read_text_file(folder.file("none"), "x"); }).find("cannot be read"),
+            std::string::npos);
+  const std::string zero = folder.write("z", std::string("a\0b", 3));
+  EXPECT_NE(error_of([&] { read_text_file(zero, "x"); }).find("zero byte"), std::string::npos);
+}
+
+TEST(TextFile, ReplacesNoDeviceAndNoDirectory) {
+  const tests::TemporaryDirectory folder;
+  EXPECT_EQ(error_of([] { write_text_file("/dev/null", "x"); }),
+            "/dev/null: is a device; expected a plain file to write");
+  EXPECT_NE(error_of([&] { write_text_file(folder.path(), "x"); }).find("is a directory"), std::string::npos);
+  EXPECT_NE(error_of([&] { write_text_file(folder.file("a/b"), "x"); }).find("cannot be written"),
+            std::string::npos);
+}
+
+}  // namespace
+}  // namespace lookout::core
