@@ -1,10 +1,11 @@
 #include "tracking/intake/scan_intake.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <stdexcept>
 #include <utility>
 
-#include "core/csv.hpp"
+#include "core/time_text.hpp"
 #include "tracking/intake/ping_checks.hpp"
 
 namespace lookout::tracking {
@@ -33,7 +34,7 @@ bool worth_a_line(std::int64_t n) {
 }
 
 std::string at_time(std::int64_t utime) {
-  return " at " + core::shortest(core::seconds(utime)) + " s";
+  return " at " + core::time_text(utime) + " s";
 }
 
 }  // namespace
@@ -142,10 +143,13 @@ void PingIntake<Ping>::begin_new_clock(std::int64_t utime) {
 template <class Ping>
 void PingIntake<Ping>::count_sequence(std::int64_t sequence) {
   using Step = core::SequenceGaps::Step;
+  const auto lost_before = static_cast<std::uint64_t>(sequence_.lost());
   const Step step = sequence_.add(sequence);
   counts_.lost = sequence_.lost();
   counts_.restarts = sequence_.restarts();
-  if (step == Step::gap)
+  // At the first, the second, the fourth, ... that is lost.
+  if (step == Step::gap &&
+      std::bit_width(static_cast<std::uint64_t>(counts_.lost)) > std::bit_width(lost_before))
     sink_.report("lost before sequence " + std::to_string(sequence) + " (" + std::to_string(counts_.lost) +
                  " so far)");
   if (step == Step::restart && worth_a_line(counts_.restarts))
