@@ -1,43 +1,41 @@
 #include "tracking/metrics/gospa.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
+#include <stdexcept>
 
 namespace lookout::tracking {
 
-Gospa::Gospa(const OspaParams& params) : params_(Ospa(params).params()) {}
+Gospa::Gospa(const OspaParams& params) : params_(Ospa(params).params()) {
+  if (std::isinf(params.order)) throw std::invalid_argument("GOSPA order must be finite, got inf");
+}
 
 GospaResult Gospa::operator()(std::span<const Eigen::Vector2d> truth,
                               std::span<const Eigen::Vector2d> estimate) {
-  const double limit = std::pow(params_.cutoff, params_.order);
-  cost_.resize(static_cast<Eigen::Index>(truth.size()), static_cast<Eigen::Index>(estimate.size()));
+  distance_.resize(static_cast<Eigen::Index>(truth.size()), static_cast<Eigen::Index>(estimate.size()));
   for (std::size_t i = 0; i < truth.size(); ++i)
     for (std::size_t j = 0; j < estimate.size(); ++j)
-      cost_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
-          std::min(limit, std::pow((truth[i] - estimate[j]).norm(), params_.order));
-
-  int pairs = 0;
-  double localization = 0.0;
+      distance_(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) =
+          std::min(params_.cutoff, (truth[i] - estimate[j]).norm());
+  // A pair at the cut-off costs what its two halves cost unpaired, so that pairing all of the smaller set is
+  // best.
+  std::vector<double> pairs;
   if (!truth.empty() && !estimate.empty()) {
-    const std::vector<int>& column_of_row = solver_.solve(cost_);
-    for (std::size_t i = 0; i < truth.size(); ++i) {
-      if (column_of_row[i] < 0) continue;
-      const double cost = cost_(static_cast<Eigen::Index>(i), column_of_row[i]);
-      if (cost >= limit) continue;
-      ++pairs;
-      localization += cost;
-    }
+    assignment_.solve(distance_, params_.order);
+    std::copy_if(assignment_.paired().begin(), assignment_.paired().end(), std::back_inserter(pairs),
+                 [this](double distance) { return distance < params_.cutoff; });
   }
   GospaResult result;
-  result.num_missed = static_cast<int>(truth.size()) - pairs;
-  result.num_false = static_cast<int>(estimate.size()) - pairs;
+  result.num_missed = static_cast<int>(truth.size() - pairs.size());
+  result.num_false = static_cast<int>(estimate.size() - pairs.size());
   const double root = 1.0 / params_.order;
-  const double missed = 0.5 * limit * result.num_missed;
-  const double false_tracks = 0.5 * limit * result.num_false;
-  result.localization = std::pow(localization, root);
-  result.missed = std::pow(missed, root);
-  result.false_tracks = std::pow(false_tracks, root);
-  result.total = std::pow(localization + missed + false_tracks, root);
+  result.localization = power_norm(pairs, params_.order);
+  result.missed = params_.cutoff * std::pow(0.5 * result.num_missed, root);
+  result.false_tracks = params_.cutoff * std::pow(0.5 * result.num_false, root);
+  result.total =
+      power_norm(std::array{result.localization, result.missed, result.false_tracks}, params_.order);
   return result;
 }
 

@@ -3,7 +3,6 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "tracking/association/assignment.hpp"
 #include "tracking/metrics/ospa.hpp"
 
 namespace lookout::tracking {
@@ -22,15 +21,15 @@ struct GospaResult {
 /// [Rahmathullah2017] Eq. (1) and Proposition 1. Keeps its buffers.
 class Gospa {
  public:
-  /// @throws std::invalid_argument as Ospa.
+  /// @throws std::invalid_argument as Ospa, and on an infinite order, which the paper does not define.
   explicit Gospa(const OspaParams& params = {});
 
   GospaResult operator()(std::span<const Eigen::Vector2d> truth, std::span<const Eigen::Vector2d> estimate);
 
  private:
   OspaParams params_;
-  AssignmentSolver solver_;
-  Eigen::MatrixXd cost_;
+  PowerAssignment assignment_;
+  Eigen::MatrixXd distance_;
 };
 
 }  // namespace lookout::tracking

@@ -3,14 +3,15 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "tracking/association/assignment.hpp"
+#include "tracking/metrics/power_assignment.hpp"
 
 namespace lookout::tracking {
 
 /// Order and cut-off of the OSPA distance. Defaults: [Yan2018] Eq. (42).
 struct OspaParams {
-  double cutoff = 20.0;  ///< Largest distance that counts, and the price of a wrong count [m or m/s], > 0.
-  double order = 2.0;    ///< Order p, >= 1.
+  double cutoff =
+      20.0;  ///< Largest distance that counts, and the price of a wrong count [m or m/s], > 0, finite.
+  double order = 2.0;  ///< Order p, >= 1; infinite: the worst pair counts alone, a wrong count the cut-off.
 };
 
 /// The OSPA distance of two sets and its parts: total^p = localization^p + cardinality^p.
@@ -27,18 +28,24 @@ struct OspaResult {
 /// buffers.
 class Ospa {
  public:
-  /// @throws std::invalid_argument on a cut-off <= 0 or an order < 1.
+  /// @throws std::invalid_argument on a cut-off that is not finite and above 0 or an order < 1.
   explicit Ospa(const OspaParams& params = {});
 
   /// Both sets empty: 0; one empty: the cut-off, all of it cardinality.
   OspaResult operator()(std::span<const Eigen::Vector2d> truth, std::span<const Eigen::Vector2d> estimate);
 
+  /// The same of two sets whose distances, each at most the cut-off, are known: a row each of the truth's
+  /// members, a column each of the estimate's.
+  OspaResult of_distances(const Eigen::MatrixXd& distance);
+
   const OspaParams& params() const { return params_; }  ///< As given.
 
  private:
+  void fill_distances(std::span<const Eigen::Vector2d> truth, std::span<const Eigen::Vector2d> estimate);
+
   OspaParams params_;
-  AssignmentSolver solver_;
-  Eigen::MatrixXd cost_;
+  PowerAssignment assignment_;
+  Eigen::MatrixXd distance_;
 };
 
 }  // namespace lookout::tracking

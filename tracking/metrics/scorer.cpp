@@ -1,5 +1,7 @@
 #include "tracking/metrics/scorer.hpp"
 
+#include <cmath>
+
 namespace lookout::tracking {
 namespace {
 
@@ -43,7 +45,9 @@ bool counts(const core::Track& track, TruthKind kind) {
   return track.status == core::TrackStatus::coasting && kind == TruthKind::schedule;
 }
 
-Scorer::Scorer(const OspaParams& params, TruthKind kind) : kind_(kind), ospa_(params), gospa_(params) {}
+Scorer::Scorer(const OspaParams& params, TruthKind kind) : kind_(kind), ospa_(params) {
+  if (std::isfinite(params.order)) gospa_.emplace(params);
+}
 
 const ScanScore& Scorer::add(const core::GroundTruth& truth, std::span<const core::Track> tracks) {
   truth_position_.clear();
@@ -62,7 +66,7 @@ const ScanScore& Scorer::add(const core::GroundTruth& truth, std::span<const cor
   }
   newest_.position = ospa_(truth_position_, track_position_);
   newest_.velocity = ospa_(truth_velocity_, track_velocity_);
-  newest_.gospa = gospa_(truth_position_, track_position_);
+  if (gospa_) newest_.gospa = (*gospa_)(truth_position_, track_position_);
   accumulate(sum_.position, newest_.position);
   accumulate(sum_.velocity, newest_.velocity);
   accumulate(sum_.gospa, newest_.gospa);

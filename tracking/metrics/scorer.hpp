@@ -29,7 +29,7 @@ bool counts(const core::Track& track, TruthKind kind);
 struct ScanScore {
   OspaResult position;  ///< [m]; in a mean, the counts are those of the newest scan.
   OspaResult velocity;  ///< [m/s].
-  GospaResult gospa;    ///< [m]; in a mean, the counts are those of the newest scan.
+  GospaResult gospa;    ///< [m]; in a mean, the counts are those of the newest scan. 0 for an infinite order.
 };
 
 /// Compares tracks with the truth scan by scan, all metrics with one cut-off and order.
@@ -48,7 +48,7 @@ class Scorer {
  private:
   TruthKind kind_;
   Ospa ospa_;
-  Gospa gospa_;
+  std::optional<Gospa> gospa_;  // Nothing for an infinite order.
   std::vector<Eigen::Vector2d> truth_position_, truth_velocity_, track_position_, track_velocity_;
   ScanScore newest_, sum_;
   int num_scans_ = 0;

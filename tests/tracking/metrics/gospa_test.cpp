@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace lookout::tracking {
@@ -30,6 +31,14 @@ TEST(Gospa, APairBeyondTheCutoffIsAMissAndAFalseTrack) {
   EXPECT_EQ(result.num_missed, 1);
   EXPECT_EQ(result.num_false, 1);
   EXPECT_NEAR(result.total, 20.0, 1e-12);
+}
+
+// One pair at 3 m and a miss: total^p = 3^p + 20^p / 2.
+TEST(Gospa, HighOrdersNeitherOverflowNorVanish) {
+  const GospaResult result = Gospa({.order = 300.0})(Points{{0, 0}, {100, 0}}, Points{{3, 0}});
+  EXPECT_NEAR(result.total, 20.0 * std::pow(0.5, 1.0 / 300.0), 1e-9);
+  EXPECT_NEAR(result.localization, 3.0, 1e-9);
+  EXPECT_THROW(Gospa({.order = std::numeric_limits<double>::infinity()}), std::invalid_argument);
 }
 
 TEST(Gospa, SwappingTheSetsSwapsTheSplit) {

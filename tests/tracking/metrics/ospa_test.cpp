@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/random.hpp"
@@ -73,7 +74,47 @@ TEST(Ospa, HundredsOfTargetsShiftedByThreeMetresCostThree) {
   EXPECT_NEAR(Ospa()(truth, estimate).total, 3.0, 1e-9);
 }
 
+// [Schuhmacher2008] Section III: for p = infinity the largest distance of the best pairs, the cut-off where
+// the counts differ.
+TEST(Ospa, AnInfiniteOrderIsTheWorstPairOfTheBestPairing) {
+  Ospa ospa({.cutoff = 20.0, .order = std::numeric_limits<double>::infinity()});
+  // Pairs 0-4 and 5-9 are 4 m apart each; 5-4 and 0-9 would leave 9 m.
+  EXPECT_DOUBLE_EQ(ospa(Points{{0, 0}, {5, 0}}, Points{{4, 0}, {9, 0}}).total, 4.0);
+  EXPECT_DOUBLE_EQ(ospa(Points{{0, 0}, {100, 0}}, Points{{10, 0}, {103, 0}}).total, 10.0);
+  EXPECT_DOUBLE_EQ(ospa(Points{{0, 0}}, Points{{1, 0}, {50, 0}}).total, 20.0);
+  EXPECT_DOUBLE_EQ(ospa(Points{{0, 0}}, Points{{1, 0}, {50, 0}}).localization, 1.0);
+  EXPECT_EQ(ospa(Points{}, Points{}).total, 0.0);
+}
+
+// By hand, two pairs at 3 and 4 m, order p: ((3^p + 4^p) / 2)^(1/p) = 4 ((.75^p + 1) / 2)^(1/p).
+TEST(Ospa, HighOrdersNeitherOverflowNorVanish) {
+  for (const double order : {5.0, 30.0, 300.0, 1000.0, 1e6}) {
+    const OspaResult result =
+        Ospa({.cutoff = 1e6, .order = order})(Points{{0, 0}, {100, 0}}, Points{{3, 0}, {100, 4}});
+    EXPECT_NEAR(result.total, 4.0 * std::pow((std::pow(0.75, order) + 1.0) / 2.0, 1.0 / order), 1e-9)
+        << order;
+  }
+  // One too many of two: total^p = (1^p + 20^p) / 2, which is 20 (1/2)^(1/p) to many digits.
+  EXPECT_NEAR(Ospa({.order = 350.0})(Points{{0, 0}}, Points{{1, 0}, {50, 0}}).total,
+              20.0 * std::pow(0.5, 1.0 / 350.0), 1e-9);
+}
+
+// The distance of two sets grows with the order (a power mean) up to that of the infinite one.
+TEST(Ospa, GrowsWithTheOrder) {
+  core::Random random(11);
+  for (int round = 0; round < 20; ++round) {
+    const Points a = random_points(random, 6), b = random_points(random, 6);
+    double before = 0.0;
+    for (const double order : {1.0, 2.0, 4.0, 8.0, 64.0, 512.0, std::numeric_limits<double>::infinity()}) {
+      const double total = Ospa({.order = order})(a, b).total;
+      EXPECT_GE(total, before - 1e-9);
+      before = total;
+    }
+  }
+}
+
 TEST(Ospa, RefusesBadParams) {
+  EXPECT_THROW(Ospa({.cutoff = std::numeric_limits<double>::infinity()}), std::invalid_argument);
   EXPECT_THROW(Ospa({.cutoff = 0.0}), std::invalid_argument);
   EXPECT_THROW(Ospa({.order = 0.5}), std::invalid_argument);
 }
