@@ -3,7 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/parameter_check.hpp"
+
 namespace lookout::csht {
+namespace {
+
+constexpr double kMostCells = 16e6;  // Seven spaces of them are kept: a quarter of a gigabyte.
+
+}  // namespace
 
 CshtParams CshtParams::tracking() {
   CshtParams params;
@@ -28,6 +35,12 @@ HoughGrid csht_grid(const CshtParams& params, const core::SonarParams& sonar) {
   grid.max_speed = sonar.max_speed;
   // The sonar sees max_range to either side, votes drift on to the epoch, and the vehicle moves meanwhile.
   grid.extent = 2.0 * sonar.max_range + 4.0 * sonar.max_speed * half_window;
+  const double cells = 2.0 * grid.max_speed / grid.velocity_step * grid.extent / grid.intercept_step;
+  core::require(
+      cells <= kMostCells,
+      "max_range, max_speed and scan_period over range_sigma must leave csht a vote space of at most "
+      "16e6 cells",
+      cells);
   return grid;
 }
 

@@ -36,6 +36,7 @@ struct CshtParams {
 };
 
 /// The grid whose steps follow the sensor's accuracy and whose rows reach its max_speed.
+/// @throws std::invalid_argument where that takes more memory than a vehicle computer has.
 HoughGrid csht_grid(const CshtParams& params, const core::SonarParams& sonar);
 
 /// Largest standard deviation of a sample along an axis [m], at the sonar's range limit.

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace lookout::csht {
 namespace {
@@ -27,6 +28,12 @@ TEST(CshtParams, TheGridHoldsWhatTheSonarSees) {
   sonar.scan_period = 0.5;
   sonar.max_speed = 5.0;
   EXPECT_GE(csht_grid(CshtParams::window(), sonar).extent, 2.0 * (150.0 + 2.0 * 5.0 * 4.75));
+}
+
+TEST(CshtParams, AGridBeyondAllMemoryIsRefused) {
+  core::SonarParams sonar;
+  sonar.range_sigma = 0.005;
+  EXPECT_THROW(csht_grid(CshtParams::tracking(), sonar), std::invalid_argument);
 }
 
 TEST(CshtParams, ALongerWindowHasFinerVelocities) {
