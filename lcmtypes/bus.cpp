@@ -1,9 +1,17 @@
 #include "lcmtypes/bus.hpp"
 
+#include <arpa/inet.h>
+#include <netinet/in.h>
 #include <poll.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
 #include <string_view>
 
 #include "core/input_error.hpp"
@@ -21,6 +29,56 @@ void require_known_transport(const std::string& url) {
                          "`, expected udpm://ADDRESS:PORT?ttl=N, tcpq://HOST:PORT, memq:// or file://PATH");
 }
 
+constexpr std::string_view kMulticast = "udpm://";
+/// LCM's own, where nothing is said. ttl=0 keeps messages on this computer.
+constexpr const char* kDefaultUrl = "udpm://239.255.76.67:7667?ttl=0";
+
+/// The URL that LCM would take for `url`.
+std::string resolved(const std::string& url) {
+  if (!url.empty()) return url;
+  const char* environment = std::getenv("LCM_DEFAULT_URL");
+  return environment != nullptr && *environment != '\0' ? environment : kDefaultUrl;
+}
+
+std::string cannot_open(const std::string& url) {
+  return "LCM cannot open `" + url +
+         "`; udpm needs a multicast route (ip link set lo up; ip route add 224.0.0.0/4 dev lo), file an "
+         "existing path";
+}
+
+/// The address of "udpm://ADDRESS:PORT?...", or LCM's default one.
+std::string address_of(const std::string& url) {
+  const std::string rest = url.substr(kMulticast.size());
+  const std::string address = rest.substr(0, rest.find_first_of(":?/"));
+  return address.empty() ? "239.255.76.67" : address;
+}
+
+/// Whether the system knows a way to the multicast address. LCM would find out as well, but at the price of
+/// lines on stderr at every try. What is no address is left to LCM.
+bool has_route(const std::string& url) {
+  sockaddr_in to{};
+  to.sin_family = AF_INET;
+  to.sin_port = htons(1);
+  if (inet_pton(AF_INET, address_of(url).c_str(), &to.sin_addr) != 1) return true;
+  const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (probe < 0) return true;
+  const bool known = connect(probe, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
+  close(probe);
+  return known;
+}
+
+/// A channel as the regular expression that LCM takes it for: `.` of a prefix is itself.
+std::string literal(const std::string& channel) {
+  std::string pattern;
+  for (const char letter : channel) {
+    if (std::isalnum(static_cast<unsigned char>(letter)) == 0 && letter != '_' && letter != '/' &&
+        letter != '-')
+      pattern += '\\';
+    pattern += letter;
+  }
+  return pattern;
+}
+
 // The Inbox catches everything, so nothing can be thrown through the C library.
 void take(const lcm::ReceiveBuffer* received, const std::string& channel, Inbox* inbox) {
   inbox->take(channel, received->data, received->data_size);
@@ -28,14 +86,19 @@ void take(const lcm::ReceiveBuffer* received, const std::string& channel, Inbox*
 
 }  // namespace
 
-Bus::Bus(const std::string& url) {
-  require_known_transport(url);
-  lcm_ = std::make_unique<lcm::LCM>(url);
-  if (!lcm_->good())
-    throw BusError(
-        "LCM cannot open " + (url.empty() ? std::string("its default URL") : "`" + url + "`") +
-        "; udpm needs a multicast route (ip link set lo up; ip route add 224.0.0.0/4 dev lo), file an "
-        "existing path");
+Bus::Bus(const std::string& url) : url_(resolved(url)) {
+  require_known_transport(url_);
+  if (is_multicast() && !has_route(url_)) throw BusError(cannot_open(url_));
+  lcm_ = std::make_unique<lcm::LCM>(url_);
+  if (!lcm_->good()) throw BusError(cannot_open(url_));
+}
+
+bool Bus::is_multicast() const {
+  return url_.starts_with(kMulticast);
+}
+
+bool Bus::may_come_up(const std::string& url) {
+  return resolved(url).starts_with(kMulticast);
 }
 
 void Bus::subscribe_bytes(const std::string& channel,
@@ -45,21 +108,48 @@ void Bus::subscribe_bytes(const std::string& channel,
 }
 
 void Bus::listen(const std::string& channel) {
-  lcm::Subscription* subscription = lcm_->subscribeFunction(channel, &take, &inbox_);
+  subscribe_at(*lcm_, channel);
+  listened_.push_back(channel);
+}
+
+void Bus::subscribe_at(lcm::LCM& lcm, const std::string& channel) {
+  lcm::Subscription* subscription = lcm.subscribeFunction(literal(channel), &take, &inbox_);
   if (subscription == nullptr) throw BusError("LCM refuses to subscribe to " + channel);
   subscription->setQueueCapacity(kQueueCapacity);
 }
 
+bool Bus::reopen() {
+  if (!is_multicast() || !has_route(url_)) return false;
+  drain();
+  auto fresh = std::make_unique<lcm::LCM>(url_);
+  if (!fresh->good()) return false;
+  try {
+    for (const auto& channel : listened_) subscribe_at(*fresh, channel);
+  } catch (const BusError&) {
+    return false;
+  }
+  lcm_ = std::move(fresh);
+  return true;
+}
+
 void Bus::send(const std::string& channel) {
-  if (lcm_->publish(channel, buffer_.data(), static_cast<unsigned>(buffer_.size())) != 0) ++send_errors_;
+  errno = 0;
+  if (lcm_->publish(channel, buffer_.data(), static_cast<unsigned>(buffer_.size())) == 0) return;
+  ++send_errors_;
+  send_error_ = errno != 0 ? std::strerror(errno) : "LCM refuses";
 }
 
 Bus::Heard Bus::handle_for(std::chrono::milliseconds timeout) {
   // Our own poll: LCM's handleTimeout cannot tell a signal from an error.
   pollfd waiting{lcm_->getFileno(), POLLIN, 0};
-  if (waiting.fd < 0) return Heard::closed;
+  if (waiting.fd < 0) return close();
   if (poll(&waiting, 1, static_cast<int>(timeout.count())) <= 0) return Heard::nothing;
-  return lcm_->handle() == 0 ? Heard::message : Heard::closed;
+  return lcm_->handle() == 0 ? Heard::message : close();
+}
+
+Bus::Heard Bus::close() {
+  lost_server_ = url_.starts_with("tcpq://");
+  return Heard::closed;
 }
 
 Bus::Heard Bus::drain() {

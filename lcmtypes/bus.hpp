@@ -64,16 +64,34 @@ class Bus {
   Heard drain();  ///< Handles what has arrived; never waits. Stops after kQueueCapacity messages.
 
   const Inbox& inbox() const { return inbox_; }              ///< What was received and refused, by channel.
-  std::int64_t send_errors() const { return send_errors_; }  ///< Messages that LCM did not take.
+  std::int64_t send_errors() const { return send_errors_; }  ///< Messages that the system refused to send.
+  const std::string& send_error() const { return send_error_; }  ///< Why, the newest; empty for none.
+
+  /// Makes the sockets anew, with all subscriptions: multicast memberships end with their interface. UDP
+  /// multicast alone; what has arrived is handled first. Returns false, and stays as it was, where that is
+  /// not possible now.
+  bool reopen();
+  bool is_multicast() const;  ///< Whether the transport is UDP multicast.
+  /// Whether the transport has closed because its server is gone: a failure, unlike a file that is read
+  /// through.
+  bool lost_server() const { return lost_server_; }
+  /// Whether what cannot be opened now may be later, when the network is up: UDP multicast.
+  static bool may_come_up(const std::string& url);
 
  private:
   void listen(const std::string& channel);
+  void subscribe_at(lcm::LCM& lcm, const std::string& channel);
   void send(const std::string& channel);
+  Heard close();
 
+  std::string url_;
+  std::vector<std::string> listened_;
   std::unique_ptr<lcm::LCM> lcm_;
   Inbox inbox_;
   std::vector<std::uint8_t> buffer_;
   std::int64_t send_errors_ = 0;
+  std::string send_error_;
+  bool lost_server_ = false;
 };
 
 }  // namespace lookout::lcmtypes

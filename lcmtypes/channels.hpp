@@ -9,10 +9,9 @@ namespace lookout::lcmtypes {
 /// not.
 class Channels {
  public:
-  /// @param prefix of the vehicle's channels, e.g. "AUV1_"; letters, digits, `_` and `-` (LCM reads a channel
-  /// that is
-  ///   subscribed to as a regular expression). @throws core::InputError on other characters or above 32 of
-  ///   them.
+  /// @param prefix of the vehicle's channels, e.g. "AUV1_" or "auv1/"; letters, digits, `_`, `.`, `/` and
+  /// `-`.
+  /// @throws core::InputError on other characters or above 32 of them.
   explicit Channels(std::string_view prefix = "");
 
   std::string vehicle_state() const { return prefix_ + "VEHICLE_STATE"; }  ///< vehicle_state_t, in.

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <functional>
 #include <optional>
+#include <string>
 
 #include "lcmtypes/bus.hpp"
 
@@ -13,10 +14,14 @@ struct LoopLimits {
   std::optional<double> duration = std::nullopt;         ///< After so long [s].
   std::optional<double> idle_exit = std::nullopt;        ///< After so long without a message [s].
   std::function<bool()> stopped = [] { return false; };  ///< Asked several times a second: a signal came.
+  std::function<void()> alive = [] {};  ///< Called once a second while the loop turns, for a watchdog.
+  /// Takes a line for a person: that the link is silent, is back, or refuses to send.
+  std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
 
 /// What every node does around its messages: waits for them, calls back once a second, and knows when to
-/// stop.
+/// stop. A link that has spoken and falls silent, or that refuses to send, is told of and its sockets are
+/// made anew.
 class NodeLoop {
  public:
   using Clock = std::chrono::steady_clock;
@@ -35,8 +40,15 @@ class NodeLoop {
   /// Whether a limit is reached or the transport closed.
   bool over() const;
 
+  /// A link that is silent for longer is looked after [s].
+  static constexpr std::chrono::seconds kSilence{5};
+
  private:
   void handle_for(Clock::duration longest);
+  void look_after_link();
+  void tell_send_errors();
+  void reopen();
+  void note_message();
 
   Bus& bus_;
   LoopLimits limits_;
@@ -44,6 +56,10 @@ class NodeLoop {
   Clock::time_point start_;
   Clock::time_point last_message_;
   Clock::time_point next_second_;
+  Clock::time_point next_reopening_;
+  bool heard_ = false;   // Anything at all.
+  bool silent_ = false;  // And told so.
+  std::int64_t reopened_ = 0, told_send_errors_ = 0, send_errors_before_ = 0;
   bool closed_ = false;
 };
 

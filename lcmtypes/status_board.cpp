@@ -14,8 +14,11 @@ void StatusBoard::publish(const NodeFigures& figures, const std::string& last_er
   wire.accepted = figures.accepted;
   wire.rejected = figures.rejected;
   wire.dropped = figures.dropped;
+  wire.shed = figures.shed;
+  wire.send_errors = bus_.send_errors();
   wire.latency_ms_p50 = latencies_.percentile(0.50);
   wire.latency_ms_p99 = latencies_.percentile(0.99);
+  wire.latency_ms_max = latencies_.percentile(1.0);
   wire.node = node_;
   wire.last_error = last_error;
   bus_.publish(channel_, wire);

@@ -16,6 +16,7 @@ struct NodeFigures {
   std::int64_t accepted = 0;  ///< Scans (a scorer: truths; a simulator: scans sent).
   std::int64_t rejected = 0;  ///< Messages refused, for whatever reason.
   std::int64_t dropped = 0;   ///< Lost on the way, by sequence.
+  std::int64_t shed = 0;      ///< Whole, but left out under overload.
 };
 
 /// Publishes a node's status.

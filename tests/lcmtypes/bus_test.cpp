@@ -69,6 +69,31 @@ TEST(Bus, WritesAFileThatReadsBackToItsEnd) {
   EXPECT_EQ(reader.handle_for(milliseconds(1000)), Bus::Heard::closed);
 }
 
+TEST(Bus, ADotInAChannelIsItself) {
+  Bus bus("memq://");
+  int seen = 0;
+  bus.subscribe<sonar_scan_t>("auv1.x/SONAR_SCAN", [&](const auto&) { ++seen; });
+  bus.publish("auv1.x/SONAR_SCAN", to_wire(tests::example_scan()));
+  bus.publish("auv1_x/SONAR_SCAN", to_wire(tests::example_scan()));
+  while (bus.handle_for(milliseconds(20)) == Bus::Heard::message) {
+  }
+  EXPECT_EQ(seen, 1);
+  EXPECT_EQ(bus.inbox().counts("auv1.x/SONAR_SCAN").received, 1);
+}
+
+TEST(Bus, OnlyMulticastIsMadeAnewOrWaitedFor) {
+  EXPECT_FALSE(Bus("memq://").reopen());
+  EXPECT_TRUE(Bus::may_come_up("udpm://239.255.76.67:7667?ttl=0"));
+  EXPECT_FALSE(Bus::may_come_up("file:///nowhere"));
+}
+
+TEST(Bus, AServerThatIsNotThereIsLostAndAFileReadThroughIsNot) {
+  Bus bus("tcpq://127.0.0.1:9");
+  bus.subscribe<sonar_scan_t>("SONAR_SCAN", [](const auto&) {});
+  EXPECT_EQ(bus.handle_for(milliseconds(100)), Bus::Heard::closed);
+  EXPECT_TRUE(bus.lost_server());
+}
+
 TEST(Bus, SaysWhatIsWrongWithItsUrl) {
   EXPECT_THROW(Bus("http://localhost"), core::InputError);
   EXPECT_THROW(Bus("file:///nowhere/at/all.lcm"), BusError);

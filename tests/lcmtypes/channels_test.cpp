@@ -22,6 +22,8 @@ TEST(Channels, HaveTheNamesOfTheContract) {
 
 TEST(Channels, CarryTheVehiclesPrefix) {
   EXPECT_EQ(Channels("AUV1_").tracks(), "AUV1_TRACKS");
+  EXPECT_EQ(Channels("auv1/").tracks(), "auv1/TRACKS");
+  EXPECT_EQ(Channels("fleet.auv-1.").tracks(), "fleet.auv-1.TRACKS");
   EXPECT_STREQ(Channels::kLocalEstimate, "LOCAL_ESTIMATE");
   EXPECT_STREQ(Channels::kGlobalTracks, "GLOBAL_TRACKS");
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <lookout/node_status_t.hpp>
+
 #include <array>
 
 namespace lookout::lcmtypes {
@@ -16,6 +18,22 @@ TEST(StatusBoard, PutsTheNodeIdWhereWaitForReadsIt) {
   StatusBoard(bus, "LOOKOUT_STATUS", "lookout sim", 0).publish({}, "");
   bus.drain();
   EXPECT_EQ(heard, (std::vector<std::int32_t>{7, 0}));
+}
+
+TEST(StatusBoard, CarriesEveryFigure) {
+  Bus bus("memq://");
+  std::optional<node_status_t> status;
+  bus.subscribe_bytes("LOOKOUT_STATUS",
+                      [&](auto bytes) { status = decode<node_status_t>(bytes.data(), bytes.size()); });
+  StatusBoard board(bus, "LOOKOUT_STATUS", "lookout track", 7);
+  for (const double latency : {1.0, 5.0, 3.0}) board.add_latency(latency);
+  board.publish({.utime = 1, .accepted = 2, .rejected = 3, .dropped = 4, .shed = 5}, "");
+  bus.drain();
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->shed, 5);
+  EXPECT_EQ(status->send_errors, 0);
+  EXPECT_EQ(status->latency_ms_p50, 3.0);
+  EXPECT_EQ(status->latency_ms_max, 5.0);
 }
 
 TEST(StatusBoard, ReadsBytesSixteenToNineteenAloneAndNothingFromLess) {

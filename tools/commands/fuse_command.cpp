@@ -26,7 +26,9 @@ int fuse_command(const Options& options) {
   Configuration configuration = load_configuration(options);
   configuration.fusion.method = chosen_method(options, configuration.fusion.method);
   const auto limits = loop_limits(options);
-  lcmtypes::Bus bus(options.lcm_url);
+  const auto link = open_when_possible(options.lcm_url, limits);
+  if (!link) return 0;
+  lcmtypes::Bus& bus = *link;
   fusion::FusionNode node(bus, {options.channel_prefix, configuration.fusion});
   log_info("fuse: method " + configuration.fusion.method);
   node.run(limits);
@@ -38,7 +40,7 @@ int fuse_command(const Options& options) {
            " duplicates, " + std::to_string(fusion.count(Intake::out_of_order)) + " out of order, " +
            std::to_string(fusion.count(Intake::clock)) + " on another clock, " +
            std::to_string(fusion.count(Intake::no_covariance)) + " without covariance)");
-  return 0;
+  return end_of_link(bus);
 }
 
 }  // namespace lookout::tools

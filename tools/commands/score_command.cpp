@@ -25,7 +25,7 @@ int score_command(const Options& options) {
     std::cout << describe(node.scorer().mean().position) << " over " << scored << " scans, truth "
               << options.truth << "; " << node.truths() - scored << " truths without tracks, "
               << node.tracks() - scored << " track lists without truth\n";
-  return 0;
+  return end_of_link(bus);
 }
 
 }  // namespace lookout::tools

@@ -45,7 +45,10 @@ int sim_command(const Options& options) {
   sonar_sim::SonarSimulatorNode node(bus, scene, params);
   log_info("sim: seed " + std::to_string(options.seed));
   log_info("sim: " + describe(node.run(limits)));
-  return 0;
+  if (bus.send_errors() > 0)
+    log_warning("sim: " + std::to_string(bus.send_errors()) +
+                " messages, of scans, vehicle states and truth, could not be sent: " + bus.send_error());
+  return end_of_link(bus);
 }
 
 }  // namespace lookout::tools

@@ -18,7 +18,7 @@ void warn(const std::string& line) {
 
 /// Works until its limits are reached and says what it did.
 template <class Node>
-int work(Node& node, const lcmtypes::LoopLimits& limits, const Options& options) {
+void work(Node& node, const lcmtypes::LoopLimits& limits, const Options& options) {
   node.run(limits);
   log_info("track: " + describe(node.counts()) + "; latency p50 " + core::shortest(node.latency(0.50)) +
            " ms, p99 " + core::shortest(node.latency(0.99)) + " ms");
@@ -27,20 +27,22 @@ int work(Node& node, const lcmtypes::LoopLimits& limits, const Options& options)
              std::to_string(node.link().bytes_sent()) + " bytes, at most " +
              std::to_string(node.link().most_bytes_in_a_second()) +
              " in any second, longest wait of a track " + core::shortest(node.link().longest_wait()) + " s");
-  return 0;
 }
 
 }  // namespace
 
 int track_command(const Options& options) {
   const Configuration configuration = load_configuration(options);
+  refuse_idle_choices(options, configuration);
   const auto limits = loop_limits(options);
   tracking::TrackerNodeParams params;
   params.channel_prefix = options.channel_prefix;
   params.node_id = options.node_id;
   params.publish_estimates = options.publish_estimates;
   params.link = configuration.fusion.link;
-  lcmtypes::Bus bus(options.lcm_url);
+  const auto link = open_when_possible(options.lcm_url, limits);
+  if (!link) return 0;
+  lcmtypes::Bus& bus = *link;
   if (tracks_images(configuration)) {
     tracking::ImageTrackerNode node(
         bus, params,
@@ -50,7 +52,8 @@ int track_command(const Options& options) {
         },
         warn);
     log_info("track: h_pmht on SONAR_IMAGE");
-    return work(node, limits, options);
+    work(node, limits, options);
+    return end_of_link(bus);
   }
   tracking::TrackerNode node(
       bus, params,
@@ -59,7 +62,8 @@ int track_command(const Options& options) {
       },
       warn);
   log_info("track: tracker " + configuration.tracker.name + ", seed " + std::to_string(options.seed));
-  return work(node, limits, options);
+  work(node, limits, options);
+  return end_of_link(bus);
 }
 
 }  // namespace lookout::tools
