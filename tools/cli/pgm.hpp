@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace lookout::tools {
@@ -22,17 +23,30 @@ GreyImage read_pgm(const std::string& path);
 /// Writes 16-bit binary. Values are rounded and clamped to 0 .. 65535. @throws core::InputError.
 void write_pgm(const std::string& path, const GreyImage& image);
 
-/// The .pgm files of a directory, sorted by name, and when each was taken.
+/// The .pgm files of a directory (.PGM too) in natural order of their names, frame2 before frame10, and when
+/// each was taken.
 struct PgmSequence {
   std::vector<std::string> paths;
   std::vector<std::int64_t> index;  ///< Frame numbers from 0 on; gaps in numbered names are kept.
+  std::string note;                 ///< What should be told of the numbers; empty for nothing.
 };
+
+/// Whether name `a` stands before `b`: runs of digits compare as numbers, all else letter by letter.
+bool natural_less(std::string_view a, std::string_view b);
 
 /// @throws core::InputError where there is no such directory or no .pgm file in it.
 PgmSequence list_pgm(const std::string& directory);
 
-/// Frame numbers from the digits at the end of each stem, counted from the first in units of the smallest
-/// difference; 0, 1, 2, ... where the names are not numbered or not in steps of it.
-std::vector<std::int64_t> frame_numbers(std::span<const std::string> stems);
+/// Frame numbers of names in their order.
+struct FrameNumbers {
+  std::vector<std::int64_t> index;  ///< From 0 on.
+  std::string note;                 ///< Why they are merely counted, where names have numbers; else empty.
+};
+
+/// From the last number in each stem (a count, or a time of any digits, 0.50 as well as 1700000000123456),
+/// counted from the first in units of the usual difference. Where names are taken at times, an odd hundredth
+/// of the unit more or less is no gap. Counted 0, 1, 2, ... where stems have no number, or repeat or reverse
+/// it.
+FrameNumbers frame_numbers(std::span<const std::string> stems);
 
 }  // namespace lookout::tools

@@ -8,6 +8,7 @@
 #include "core/input_error.hpp"
 #include "core/random.hpp"
 #include "tools/cli/configuration.hpp"
+#include "tools/cli/log.hpp"
 #include "tools/cli/pgm.hpp"
 #include "tools/cli/progress_bar.hpp"
 #include "tools/commands/commands.hpp"
@@ -25,6 +26,8 @@ class FrameSource {
  public:
   FrameSource(const std::string& directory, const tracking::TbdParams& params, std::uint64_t seed)
       : sequence_(list_pgm(directory)), params_(params), random_(seed, core::RandomStream::tracker) {
+    if (!sequence_.note.empty()) log_warning(directory + ": " + sequence_.note);
+    leave_out_a_cut_end();
     differencing_ = params.differencing == tracking::Differencing::on ||
                     (params.differencing == tracking::Differencing::automatic && shows_standing_scene());
   }
@@ -48,6 +51,18 @@ class FrameSource {
   }
 
  private:
+  /// The last frame of a sequence whose writer was stopped is often cut off: the ones before it are whole.
+  void leave_out_a_cut_end() {
+    try {
+      read_pgm(sequence_.paths.back());
+    } catch (const core::InputError& error) {
+      if (sequence_.paths.size() == 1) throw;
+      log_warning(std::string(error.what()) + "; the last frame is left out");
+      sequence_.paths.pop_back();
+      sequence_.index.pop_back();
+    }
+  }
+
   bool shows_standing_scene() {
     const std::size_t later = std::min(size() - 1, static_cast<std::size_t>(params_.frame_step));
     if (later == 0) return false;
