@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """Tests of tools/import_autoferry.py: a file pair small enough to check on paper, and the real one where LOOKOUT_DATA
-names the folder that holds it. Status 77: the first passed, the second was skipped."""
+names the folder that holds it. usage: import_autoferry_test.py [LOOKOUT]. Status 77: all but the real one passed."""
 import json
 import os
 import pathlib
@@ -9,6 +9,7 @@ import sys
 import tempfile
 
 SCRIPT = pathlib.Path(__file__).resolve().parents[2] / "tools" / "import_autoferry.py"
+CASES = pathlib.Path(__file__).resolve().parents[1] / "data" / "cases" / "autoferry_forms"
 SKIPPED = 77
 
 
@@ -58,6 +59,40 @@ def test_small_pair(folder):
     )
 
 
+def rows(path):
+    return path.read_text().splitlines()[1:]
+
+
+def test_forms_people_have(folder, program):
+    """Pairs of 40 scans; two without returns, one with a NaN, one with the time of another, a truth of 15 scans."""
+    for detections, truths, scans, left_out in (
+        ("empty_d", "short_g", 15, "25 radar scans behind the end of the ground truth (first: entry 15)"),
+        ("empty_d", "ok_g", 40, ""),
+        ("nan_d", "ok_g", 40, "returns without a finite position"),
+        ("repeat_d", "ok_g", 39, "1 radar scans with the time of another"),
+    ):
+        out = folder / detections / truths
+        result = run(CASES / f"{detections}.json", CASES / f"{truths}.json", out)
+        expect(result.returncode == 0, f"{detections}: {result}")
+        expect(left_out in result.stderr and bool(left_out) == bool(result.stderr), f"{detections}: {result.stderr}")
+        expect(len(rows(out / "vehicle.csv")) == scans, f"{detections}: {len(rows(out / 'vehicle.csv'))} scans")
+        expect("nan" not in (out / "scans.csv").read_text(), f"{detections}: nan")
+        if program:
+            replay = [program, "replay", out, "--out", folder / "tracks", "--tracker", "gnn"]
+            expect(subprocess.run(list(map(str, replay)), capture_output=True).returncode == 0, f"{detections}: replay")
+
+
+def test_bad_entries_name_their_index(folder):
+    good = {"sensorID": 2, "time": 1.0, "ownshipPosition": [0, 0], "measurement": []}
+    truth = folder / "truth.json"
+    truth.write_text("[[], []]")
+    for change in ({"time": float("nan")}, {"measurement": [[1], [1, 2]]}, {"measurement": "xy"}, {"ownshipPosition": 3}):
+        (folder / "entry.json").write_text(json.dumps([good, {**good, "time": 2.0, **change}]))
+        result = run(folder / "entry.json", truth, folder / "never")
+        expect(result.returncode == 2 and "entry.json: entry 1: not as" in result.stderr, f"{change}: {result}")
+        expect(not (folder / "never").exists(), "nothing is written")
+
+
 def test_bad_files(folder):
     (folder / "bad.json").write_text("{")
     (folder / "none.json").write_text("[]")
@@ -80,6 +115,8 @@ def main():
         folder = pathlib.Path(name)
         test_small_pair(folder)
         test_bad_files(folder)
+        test_bad_entries_name_their_index(folder)
+        test_forms_people_have(folder, sys.argv[1] if len(sys.argv) > 1 else "")
         if "LOOKOUT_DATA" not in os.environ:
             print("SKIPPED in part: LOOKOUT_DATA does not name the folder of the Autoferry recordings")
             return SKIPPED
