@@ -14,6 +14,8 @@ using core::kNotNegative;
 using core::kPositive;
 using core::YamlMap;
 
+constexpr double kMostScans = 1e7;
+
 Eigen::Vector2d read_vector(const YamlMap& map, const std::string& north, const std::string& east) {
   return {map.number(north, 0.0), map.number(east, 0.0)};
 }
@@ -149,6 +151,9 @@ Scene read_scene(const YamlMap& map) {
   Scene scene;
   scene.duration = map.required_number("duration", {0, 1e6, true});
   scene.platforms = read_platforms(map);
+  for (const auto& platform : scene.platforms)
+    if (scene.duration / platform.sonar.params.scan_period > kMostScans)
+      map.fail("duration", "holds more than 10 million scans of the sonar's scan_period");
   std::set<std::int32_t> ids;
   for (const auto& entry : map.maps("targets")) {
     scene.targets.push_back(read_target(entry));

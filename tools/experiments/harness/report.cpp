@@ -2,12 +2,14 @@
 
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <set>
+#include <sstream>
 #include <vector>
 
 #include "core/csv.hpp"
+#include "core/text_file.hpp"
 #include "tools/cli/version.hpp"
 
 namespace lookout::tools {
@@ -35,7 +37,7 @@ void write_json(const ExperimentResults& results, const std::string& path) {
   ordered_json root{{"experiment", results.name}, {"seed", results.seed}, {"runs", results.runs}};
   root["cells"] = ordered_json::array();
   for (const auto& cell : results.cells) root["cells"].push_back(to_json(cell));
-  std::ofstream(path) << root.dump(1) << "\n";
+  core::write_text_file(path, root.dump(1) + "\n");
 }
 
 /// Every parameter name that any cell has, in order of first appearance.
@@ -91,7 +93,7 @@ std::string figure_text(const CellResult& result, const std::string& metric) {
   return text;
 }
 
-void write_table(const ExperimentResults& results, const std::string& method, std::ofstream& file) {
+void write_table(const ExperimentResults& results, const std::string& method, std::ostream& file) {
   std::set<std::string> metrics;
   for (const auto& result : results.cells) {
     if (result.cell.method != method) continue;
@@ -112,7 +114,7 @@ void write_table(const ExperimentResults& results, const std::string& method, st
 }
 
 void write_report(const Experiment& experiment, const ExperimentResults& results, const std::string& path) {
-  std::ofstream file(path);
+  std::ostringstream file;
   file << "# " << results.name << "\n\n" << experiment.summary() << "\n\n";
   file << "Scenario " << experiment.scenario() << ", seed " << results.seed << ", " << results.runs
        << " runs (fewer where a method is capped), commit " << version() << ", command `lookout experiment "
@@ -124,6 +126,7 @@ void write_report(const Experiment& experiment, const ExperimentResults& results
       methods.push_back(result.cell.method);
   }
   for (const auto& method : methods) write_table(results, method, file);
+  core::write_text_file(path, file.str());
 }
 
 }  // namespace

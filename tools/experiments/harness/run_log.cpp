@@ -1,6 +1,8 @@
 #include "tools/experiments/harness/run_log.hpp"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
 
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
@@ -17,6 +19,21 @@ std::string key_of(const Cell& cell, int run) {
     key += " " + name + "=" + (text ? *text : core::shortest(std::get<double>(value)));
   }
   return key + " run=" + std::to_string(run);
+}
+
+/// Key and metrics of a line; nothing of a damaged one, whose run is then done again.
+std::optional<std::pair<std::string, Metrics>> finished_run(const json& entry) {
+  if (!entry.is_object() || !entry.contains("key") || !entry["key"].is_string()) return std::nullopt;
+  if (!entry.contains("metrics") || !(entry["metrics"].is_object() || entry["metrics"].is_null()))
+    return std::nullopt;
+  Metrics metrics;
+  for (const auto& [name, pair] : entry["metrics"].items()) {
+    if (!pair.is_array() || pair.size() != 2) return std::nullopt;
+    if (!pair[0].is_number()) continue;  // null stands for a value that is not finite
+    if (!pair[1].is_number()) return std::nullopt;
+    metrics[name] = Metric(pair[0].get<double>(), pair[1].get<double>());
+  }
+  return std::pair(entry["key"].get<std::string>(), std::move(metrics));
 }
 
 }  // namespace
@@ -40,18 +57,11 @@ void RunLog::load(const std::string& path, const std::string& experiment, std::u
   std::ifstream file(path);
   std::string line;
   if (!file || !std::getline(file, line)) return;
-  const json header = json::parse(line, nullptr, false);
-  if (header.is_discarded() || header.value("experiment", "") != experiment ||
-      header.value("seed", seed + 1) != seed)
+  if (json::parse(line, nullptr, false) != json{{"experiment", experiment}, {"seed", seed}})
     throw core::InputError(path + ":1: belongs to another experiment or seed; --resume needs the same");
   while (std::getline(file, line)) {
-    const json entry = json::parse(line, nullptr, false);
-    if (entry.is_discarded()) continue;
-    Metrics metrics;
-    for (const auto& [name, pair] : entry["metrics"].items()) {
-      if (pair[0].is_number()) metrics[name] = Metric(pair[0].get<double>(), pair[1].get<double>());
-    }
-    finished_[entry["key"].get<std::string>()] = std::move(metrics);
+    if (auto run = finished_run(json::parse(line, nullptr, false)))
+      finished_.insert_or_assign(run->first, run->second);
   }
 }
 
@@ -66,6 +76,7 @@ void RunLog::append(const Cell& cell, int run, const Metrics& metrics) {
   json values;
   for (const auto& [name, metric] : metrics) values[name] = {metric.value, metric.weight};
   file_ << json{{"key", key_of(cell, run)}, {"metrics", values}}.dump() << std::endl;
+  if (!file_) throw std::runtime_error("runs.jsonl: could not be written: is the disk full?");
 }
 
 }  // namespace lookout::tools

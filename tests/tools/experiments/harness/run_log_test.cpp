@@ -27,6 +27,18 @@ TEST(RunLog, ResumesWhatItWroteAndSurvivesAHalfLine) {
   EXPECT_FALSE(log.find(cells[1], 7));
 }
 
+TEST(RunLog, LinesOfAnotherShapeAreRunsToDoAgain) {
+  const tests::TemporaryDirectory folder;
+  const std::string path = folder.file("runs.jsonl");
+  const auto cells = DiceExperiment().cells();
+  RunLog(path, "dice", 3, false).append(cells[0], 0, {{"eyes", 1.0}});
+  std::ofstream(path, std::ios::app) << "3\n[]\n{\"key\": 3}\n{\"key\": \"a\", \"metrics\": [1]}\n"
+                                        "{\"key\": \"a\", \"metrics\": {\"m\": 1}}\n\n";
+  EXPECT_TRUE(RunLog(path, "dice", 3, true).find(cells[0], 0));
+  std::ofstream(path) << "[1, 2]\n";
+  EXPECT_THROW(RunLog(path, "dice", 3, true), core::InputError);
+}
+
 TEST(RunLog, RefusesAnotherSeedAndForgetsWithoutResume) {
   const tests::TemporaryDirectory folder;
   const std::string path = folder.file("runs.jsonl");
