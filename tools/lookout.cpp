@@ -2,6 +2,8 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <iterator>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -44,7 +46,9 @@ std::string version_line() {
 // Flags that several commands share, each described once.
 
 void add_seed(CLI::App& app, Options& options) {
-  app.add_option("--seed", options.seed, "Seed of every random draw")->capture_default_str();
+  app.add_option("--seed", options.seed, "Seed of every random draw")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
 }
 
 void add_out(CLI::App& app, Options& options) {
@@ -53,7 +57,7 @@ void add_out(CLI::App& app, Options& options) {
 
 void add_scoring(CLI::App& app, Options& options) {
   app.add_option("--cutoff", options.cutoff, "OSPA cut-off [m]")->capture_default_str();
-  app.add_option("--order", options.order, "OSPA order")->capture_default_str();
+  app.add_option("--order", options.order, "OSPA order, 1 or more, or inf")->capture_default_str();
   app.add_option("--truth", options.truth,
                  "visible: targets in the field of view, coasting tracks left out; schedule: all")
       ->capture_default_str();
@@ -74,7 +78,8 @@ void declare_run(CLI::App& app, Options& options) {
   add_out(app, options);
   add_seed(app, options);
   add_tracking(app, options);
-  app.add_flag("--known-sensor", options.known_sensor, "Tell the tracker the scene's true sensor figures");
+  app.add_flag("--unknown-sensor", options.unknown_sensor,
+               "Keep the scene's sensor figures from the tracker: it knows what the configuration says");
   app.add_option("--votes-at", options.votes_at, "Also write csht's vote matrices at this scenario time [s]");
   add_scoring(app, options);
 }
@@ -112,7 +117,9 @@ void declare_fuse(CLI::App& app, Options& options) {
       "--method", options.method,
       one_of("Method (default: the configuration's, else learned)", fusion::fusion_method_names()));
   app.add_option("--config", options.config, "Configuration YAML");
-  app.add_option("--seed", options.seed, "Of random draws; no method of today draws")->capture_default_str();
+  app.add_option("--seed", options.seed, "Of random draws; no method of today draws")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber);
   add_live(app, options);
 }
 
@@ -136,7 +143,21 @@ void declare_replay(CLI::App& app, Options& options) {
 void declare_ospa(CLI::App& app, Options& options) {
   app.add_option("FILES", options.inputs, "TRUTH.csv and ESTIMATE.csv")->expected(2)->required();
   add_scoring(app, options);
-  app.add_option("--times", options.times, "CSV whose time_s column names the times to average over");
+  app.add_option("--metric", options.metric,
+                 "ospa, gospa, ospa2 (tracks over a window) or tgospa (tracks over the run)")
+      ->capture_default_str();
+  app.add_option(
+      "--times", options.times,
+      "CSV whose time_s column names the times to average over (default: the scans.csv beside TRUTH.csv, "
+      "else all times of either file)");
+  app.add_option("--time-tolerance", options.time_tolerance,
+                 "Times that differ by no more are one [s] (default: 1e-6)");
+  app.add_flag("--interpolate", options.interpolate, "Take the truth between its times on straight lines");
+  app.add_option("--over-time", options.over_time, "Also write the metric over time to this CSV");
+  app.add_option("--window", options.window,
+                 "ospa2: how far each value looks back [s] (default: to the first time)");
+  app.add_option("--switch-penalty", options.switch_penalty,
+                 "tgospa: price of a target's change of track [m] (default: a tenth of the cut-off)");
   app.add_flag("--json", options.json, "Print one line of JSON");
 }
 
@@ -237,7 +258,9 @@ int run(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report(error.what(), kBadInput);
   }
-  return chosen->run(options);
+  const int status = chosen->run(options);
+  std::cout.flush();
+  return std::cout ? status : report("standard output: could not be written", kFailure);
 }
 
 }  // namespace
@@ -249,6 +272,10 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const lookout::core::InputError& error) {
     return report(error.what(), kBadInput);
+  } catch (const std::invalid_argument& error) {  // A parameter that the library refuses, by name and value.
+    return report(error.what(), kBadInput);
+  } catch (const std::bad_alloc&) {
+    return report("out of memory", kFailure);
   } catch (const std::exception& error) {
     return report(error.what(), kFailure);
   }

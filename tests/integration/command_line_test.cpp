@@ -69,6 +69,46 @@ TEST(RunCommand, WritesARecordingWithTracksThatOspaScoresAlike) {
   EXPECT_NEAR(offline["total"], online["ospa"]["total"], 1e-9);
 }
 
+TEST(RunCommand, TheScenesFiguresReachTheTrackerUnlessTheyAreToBeUnknown) {
+  const TemporaryDirectory folder;
+  const std::string scene = folder.write(
+      "scene.yaml",
+      "duration: 2\nsonar: {range_sigma: 0.5, miss_probability: 0.25, false_alarm_probability: 0.125}\n");
+  const auto told = [&](const std::string& flags) {
+    EXPECT_EQ(run_lookout("run " + scene + " --tracker gnn " + flags + " --out " + folder.file("out")).status,
+              0);
+    return text_of(folder.file("out") + "/sonar.yaml");
+  };
+  EXPECT_NE(told("").find("range_sigma: 0.5\n"), std::string::npos);
+  EXPECT_NE(told("").find("miss_probability: 0.25\n"), std::string::npos);
+  EXPECT_NE(told("--unknown-sensor").find("range_sigma: 3\n"), std::string::npos);
+  EXPECT_EQ(told("--unknown-sensor").find("miss_probability"), std::string::npos);
+  const auto config = folder.write("c.yaml", "sensor: {range_sigma: 2}\n");
+  EXPECT_NE(told("--config " + config).find("range_sigma: 2\n"), std::string::npos);
+}
+
+// Nothing is in sight of the first scans: they count, and cost nothing.
+TEST(RunCommand, OspaAveragesOverTheSameTimesAsRunAndReplay) {
+  const TemporaryDirectory folder;
+  const std::string scene =
+      folder.write("scene.yaml",
+                   "duration: 20\nsonar: {miss_probability: 0.1, false_alarm_probability: 0.02}\n"
+                   "targets: [{id: 1, north: 60, east: 0, north_velocity: -1, appear: 5, disappear: 15}]\n");
+  ASSERT_EQ(run_lookout("run " + scene + " --tracker gnn --out " + folder.file("run")).status, 0);
+  ASSERT_EQ(
+      run_lookout("replay " + folder.file("run") + " --tracker gnn --out " + folder.file("replay")).status,
+      0);
+  const auto offline = nlohmann::json::parse(
+      run_lookout("ospa " + folder.file("run/truth.csv") + " " + folder.file("run/tracks.csv") + " --json")
+          .out);
+  const auto run = nlohmann::json::parse(text_of(folder.file("run/summary.json")))["ospa"];
+  const auto replay = nlohmann::json::parse(text_of(folder.file("replay/summary.json")))["ospa"];
+  EXPECT_EQ(offline["times"], 40);
+  EXPECT_EQ(run["times"], 40);
+  EXPECT_NEAR(offline["total"], run["total"], 1e-9);
+  EXPECT_NEAR(replay["total"], run["total"], 1e-9);
+}
+
 TEST(RunCommand, SameSeedSameBytes) {
   const TemporaryDirectory a, b;
   const std::string run = "run " + kScenarios + "near_field.yaml --tracker gnn --seed 1001 --out ";

@@ -68,6 +68,44 @@ void check_lag(const Configuration& configuration) {
     throw core::InputError("--lag: tracker " + tracker.name + " has no delayed output, expected 0");
 }
 
+/// The flag, or the file and key, that chose something.
+std::string source_of(const std::string& given, const char* flag, const Options& options, const char* key) {
+  return given.empty() ? options.config + ": " + key : std::string(flag);
+}
+
+/// Whether a tracker works on the returns alone, so that its tracks never see motion elements.
+bool takes_no_elements(const std::string& tracker) {
+  return tracking::default_estimator(tracker).empty();
+}
+
+void refuse_idle_estimator(const Options& options, const Configuration& configuration) {
+  const std::string& estimator = configuration.estimator.name;
+  const std::string& tracker = configuration.tracker.name;
+  const bool given = !options.estimator.empty() || estimator != estimator_beside(tracker);
+  if (takes_no_elements(tracker) && given)
+    throw core::InputError(source_of(options.estimator, "--estimator", options, "estimator: name") + ": `" +
+                           estimator + "` has no effect on tracker " + tracker +
+                           ", which works on returns; expected none");
+  if (tracker == "joint" && estimator == "joint" &&
+      configuration.estimator.window_scans != csht::EstimatorParams{}.window_scans)
+    throw core::InputError(
+        options.config +
+        ": estimator: window_scans: has no effect on estimator joint beside tracker joint, " +
+        "whose memory they share; expected none");
+}
+
+/// What the tracker of raw images does not know.
+void refuse_idle_image_choices(const Options& options, const Configuration& configuration) {
+  const auto refuse = [](const std::string& flag) {
+    throw core::InputError(
+        flag + ": has no effect: estimator h_pmht tracks raw images in place of the whole chain; " +
+        "expected none");
+  };
+  if (!options.tracker.empty()) refuse("--tracker");
+  if (configuration.lag > 0) refuse("--lag");
+  if (options.explain) refuse("--explain");
+}
+
 }  // namespace
 
 std::vector<std::string> estimator_choices() {
@@ -76,8 +114,9 @@ std::vector<std::string> estimator_choices() {
   return names;
 }
 
-Configuration load_configuration(const Options& options) {
+Configuration load_configuration(const Options& options, const core::SonarParams& known) {
   Configuration configuration;
+  configuration.sensor = known;
   configuration.tracker.name = kDefaultTracker;
   configuration.estimator.name.clear();  // not chosen yet
   if (!options.config.empty())
@@ -90,11 +129,20 @@ Configuration load_configuration(const Options& options) {
     configuration.estimator.name = estimator_beside(configuration.tracker.name);
   configuration.tracker.births = configuration.initiator;
   check_lag(configuration);
+  if (tracks_images(configuration)) configuration.tracker.name = kImageEstimator;
   return configuration;
 }
 
 bool tracks_images(const Configuration& configuration) {
   return configuration.estimator.name == kImageEstimator;
+}
+
+void refuse_idle_choices(const Options& options, const Configuration& configuration) {
+  if (tracks_images(configuration)) return refuse_idle_image_choices(options, configuration);
+  refuse_idle_estimator(options, configuration);
+  if (configuration.tracker.report_all && takes_no_elements(configuration.tracker.name))
+    throw core::InputError(options.config + ": output: min_existence: has no effect on tracker " +
+                           configuration.tracker.name + ", whose tracks exist or do not; expected none");
 }
 
 }  // namespace lookout::tools

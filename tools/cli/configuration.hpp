@@ -29,8 +29,13 @@ struct Configuration {
 std::vector<std::string> estimator_choices();
 
 /// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.
+/// @param known what is known of the sensor beforehand; the configuration's `sensor` part stands over it.
 /// @throws core::InputError naming file, line, column and key, or the flag.
-Configuration load_configuration(const Options& options);
+Configuration load_configuration(const Options& options, const core::SonarParams& known = {});
+
+/// Refuses flags and keys that were given and would do nothing beside the rest; for the commands that track.
+/// @throws core::InputError naming the flag or the key.
+void refuse_idle_choices(const Options& options, const Configuration& configuration);
 
 /// Whether the estimator is the one that works on raw images in place of the whole chain.
 bool tracks_images(const Configuration& configuration);

@@ -18,14 +18,20 @@ struct Options {
   std::string tracker;        ///< Registry name; empty: the configuration's, else the default.
   std::optional<double> lag;  ///< Delayed output [s].
   bool explain = false;
-  bool known_sensor = false;  ///< `run` tells the tracker the scene's sensor figures.
+  bool unknown_sensor = false;  ///< `run` keeps the scene's sensor figures from the tracker.
   bool publish_estimates = false;
   int node_id = 1;
-  double cutoff = 20.0;            ///< OSPA cut-off [m].
-  double order = 2.0;              ///< OSPA order.
-  std::string truth = "visible";   ///< visible or schedule.
-  std::optional<double> votes_at;  ///< Scenario time of the vote matrices to write [s].
-  std::string times;               ///< CSV of scan times.
+  double cutoff = 20.0;                  ///< OSPA cut-off [m].
+  double order = 2.0;                    ///< OSPA order.
+  std::string metric = "ospa";           ///< Of `ospa`.
+  std::string over_time;                 ///< CSV of the metric over time, of `ospa`.
+  std::optional<double> time_tolerance;  ///< Times that differ by no more are one [s].
+  bool interpolate = false;              ///< The truth between its times.
+  std::optional<double> window;          ///< Of ospa2 [s]; none: the whole run.
+  std::optional<double> switch_penalty;  ///< Of tgospa [m]; none: a tenth of the cut-off.
+  std::string truth = "visible";         ///< visible or schedule.
+  std::optional<double> votes_at;        ///< Scenario time of the vote matrices to write [s].
+  std::string times;                     ///< CSV of scan times.
   bool json = false;
   std::string tracks_channel;  ///< Channel that `score` listens to.
   std::string lcm_url;

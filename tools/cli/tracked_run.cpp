@@ -1,10 +1,12 @@
 #include "tools/cli/tracked_run.hpp"
 
 #include <algorithm>
-#include <fstream>
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/csv.hpp"
+#include "core/text_file.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/scoring.hpp"
 #include "tools/cli/vote_matrices.hpp"
@@ -12,50 +14,59 @@
 namespace lookout::tools {
 namespace {
 
-/// The truth at `utime` of lists in order of time, or nothing.
-const core::GroundTruth* truth_at(const std::vector<core::GroundTruth>& truth, std::int64_t utime) {
-  const auto found =
-      std::lower_bound(truth.begin(), truth.end(), utime,
-                       [](const core::GroundTruth& entry, std::int64_t t) { return entry.utime < t; });
-  return found != truth.end() && found->utime == utime ? &*found : nullptr;
+/// The times at which a run is scored: of all its scans, tracked or refused.
+std::vector<core::TrackList> scored_lists(const TrackedRun& run) {
+  std::vector<core::TrackList> lists = run.output.tracks;
+  std::set<std::int64_t> tracked;
+  for (const auto& list : lists) tracked.insert(list.utime);
+  for (const auto& scan : run.recording.scans)
+    if (!tracked.contains(scan.utime)) lists.push_back({scan.utime, {}});
+  std::stable_sort(lists.begin(), lists.end(),
+                   [](const auto& a, const auto& b) { return a.utime < b.utime; });
+  return lists;
 }
 
-/// ospa.csv, a row a scan that was tracked and whose truth is known.
+/// ospa.csv, a row a scan whose truth is known; a scan that was refused has no tracks.
 void write_ospa(const std::string& path, const TrackedRun& run, tracking::Scorer& scorer) {
+  const std::vector<core::TrackList> lists = scored_lists(run);
+  std::vector<std::int64_t> times;
+  for (const auto& list : lists) times.push_back(list.utime);
+  MatchedTruth matched(run.recording.truth, times);
   core::CsvWriter csv(path, "time_s,total,localization,cardinality,num_truth,num_tracks");
-  for (const auto& list : run.output.tracks) {
-    const core::GroundTruth* truth = truth_at(run.recording.truth, list.utime);
-    if (truth == nullptr) continue;
+  for (const auto& list : lists) {
+    const auto truth = matched.at(list.utime);
+    if (!truth) continue;
     const tracking::OspaResult& ospa = scorer.add(*truth, list.tracks).position;
-    csv.number(core::seconds(list.utime))
-        .number(ospa.total)
-        .number(ospa.localization)
-        .number(ospa.cardinality);
+    csv.time(list.utime).number(ospa.total).number(ospa.localization).number(ospa.cardinality);
     csv.integer(ospa.num_truth).integer(ospa.num_tracks).end_row();
   }
   csv.close();
+  for (const auto& note : matched.notes()) log_warning(note);
 }
 
 void write_summary(const std::string& path, const TrackedRun& run, const Configuration& configuration,
                    const tracking::Scorer& scorer, const Options& options) {
   const tracking::OspaResult mean = scorer.mean().position;
-  nlohmann::ordered_json root{{"scenario", options.inputs[0]},
-                              {"seed", options.seed},
-                              {"tracker", configuration.tracker.name},
-                              {"estimator", configuration.estimator.name},
-                              {"scans", run.recording.scans.size()},
-                              {"lag_s", core::seconds(configuration.lag)},
-                              {"tracked_scans", run.output.tracks.size()},
-                              {"rejected_scans", run.counts.rejected()},
-                              {"truth", options.truth},
-                              {"cutoff", options.cutoff},
-                              {"order", options.order}};
+  nlohmann::ordered_json root{
+      {"scenario", options.inputs[0]},
+      {"seed", options.seed},
+      {"tracker", configuration.tracker.name},
+      {"estimator", configuration.estimator.name},
+      {"scans", tracks_images(configuration) ? run.counts.accepted + run.counts.rejected()
+                                             : static_cast<std::int64_t>(run.recording.scans.size())},
+      {"lag_s", core::seconds(configuration.lag)},
+      {"tracked_scans", run.output.tracks.size()},
+      {"rejected_scans", run.counts.rejected()},
+      {"truth", options.truth},
+      {"cutoff", options.cutoff},
+      {"order",
+       std::isinf(options.order) ? nlohmann::ordered_json("inf") : nlohmann::ordered_json(options.order)}};
   if (scorer.num_scans() > 0)
-    root["ospa"] = {
-        {"total", mean.total}, {"localization", mean.localization}, {"cardinality", mean.cardinality}};
-  std::ofstream file(path);
-  file << root.dump(1) << "\n";
-  if (!file) throw std::runtime_error(path + ": could not be written");
+    root["ospa"] = {{"total", mean.total},
+                    {"localization", mean.localization},
+                    {"cardinality", mean.cardinality},
+                    {"times", scorer.num_scans()}};
+  core::write_text_file(path, root.dump(1) + "\n");
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
+#include "core/time_text.hpp"
 #include "csht/csht_estimator.hpp"
 
 namespace lookout::tools {
@@ -47,9 +48,7 @@ void write_vote_matrices(const core::Recording& recording, const core::SonarPara
     estimator.update({scan, core::compose(*body, scan.T_body_sonar)});
     any = true;
   }
-  if (!any)
-    throw core::InputError("--votes-at: no scan with a pose by " + core::shortest(core::seconds(utime)) +
-                           " s");
+  if (!any) throw core::InputError("--votes-at: no scan with a pose by " + core::time_text(utime) + " s");
   write_vote_matrices(estimator, directory);
 }
 

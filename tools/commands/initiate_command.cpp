@@ -20,6 +20,7 @@ struct PointScan {
   std::vector<tracking::Plot> plots;
 };
 
+constexpr std::size_t kMostPoints = 30'000;        // Of a scan, as of a sonar's returns.
 constexpr std::int64_t kMostEmptyScans = 100'000;  // A larger gap is a mistake of units, not silence.
 
 void check_order(const core::CsvTable& table, std::size_t row, const PointScan& before,
@@ -58,6 +59,7 @@ std::vector<PointScan> read_points(const std::string& path, const tracking::Init
     if (table.empty(row, "x_m") && table.empty(row, "y_m")) continue;
     tracking::Plot plot;
     plot.position = {table.number(row, "x_m"), table.number(row, "y_m")};
+    if (scans.back().plots.size() == kMostPoints) table.fail(row, "scan", "has more than 30000 points");
     plot.noise = config.noise_at(plot.position);
     scans.back().plots.push_back(plot);
   }

@@ -1,86 +1,351 @@
+// lookout ospa: TRUTH.csv, ESTIMATE.csv -> times -> one of four metrics -> a line, or JSON, and a CSV over
+// time
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
 #include <iostream>
-#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
 #include "core/recording.hpp"
+#include "core/time_text.hpp"
+#include "tools/cli/log.hpp"
 #include "tools/cli/scoring.hpp"
 #include "tools/commands/commands.hpp"
+#include "tracking/metrics/ospa2.hpp"
+#include "tracking/metrics/trajectory_gospa.hpp"
 
 namespace lookout::tools {
 namespace {
 
-/// Times that differ by no more than this are one time [us].
+/// Times that differ by no more than this are one time, unless --time-tolerance says more [us].
 constexpr std::int64_t kSameTime = 1;
+/// Points of one time beyond which the assignment takes minutes.
+constexpr std::size_t kMostPoints = 1000;
+constexpr double kLongestTolerance = 3600.0;  // [s]
+/// The default price of a change of track, in cut-offs.
+constexpr double kSwitchShare = 0.1;
+/// The one part that is a count.
+constexpr const char* kChanges = "num_switches";
 
-std::vector<std::int64_t> read_times(const std::string& path) {
+using Times = std::vector<std::int64_t>;
+
+Times read_times(const std::string& path) {
   static constexpr std::array<std::string_view, 1> kRequired{"time_s"};
   const core::CsvTable table(path, kRequired);
-  std::vector<std::int64_t> times;
-  for (std::size_t row = 0; row < table.num_rows(); ++row)
-    times.push_back(core::microseconds(table.number(row, "time_s")));
+  Times times;
+  for (std::size_t row = 0; row < table.num_rows(); ++row) times.push_back(table.time(row, "time_s"));
   return times;
 }
 
-/// All times of either file, in order, those within a microsecond of one before left out.
-std::vector<std::int64_t> distinct(std::vector<std::int64_t> times) {
+/// In order, those within `tolerance` of one before left out.
+Times distinct(Times times, std::int64_t tolerance) {
   std::sort(times.begin(), times.end());
-  std::vector<std::int64_t> result;
+  Times result;
   for (const auto time : times) {
-    if (result.empty() || time - result.back() > kSameTime) result.push_back(time);
+    if (result.empty() || time - result.back() > tolerance) result.push_back(time);
   }
   return result;
 }
 
-/// The entry at `utime` of lists in order of time, or an empty one.
-template <class List>
-List at_time(const std::vector<List>& lists, std::int64_t utime) {
-  const auto it = std::lower_bound(lists.begin(), lists.end(), utime - kSameTime,
-                                   [](const List& list, std::int64_t t) { return list.utime < t; });
-  if (it == lists.end() || it->utime > utime + kSameTime) {
-    List empty;
-    empty.utime = utime;
-    return empty;
-  }
-  return *it;
+Times times_of(const std::vector<core::TrackList>& lists) {
+  Times times;
+  for (const auto& list : lists) times.push_back(list.utime);
+  return times;
 }
 
-void print_json(const tracking::OspaResult& mean, int times) {
-  const nlohmann::ordered_json root{{"total", mean.total},
-                                    {"localization", mean.localization},
-                                    {"cardinality", mean.cardinality},
-                                    {"times", times}};
+/// The tracks nearest to `utime` of lists in order of time, if within `tolerance`; else none.
+std::span<const core::Track> tracks_at(const std::vector<core::TrackList>& lists, std::int64_t utime,
+                                       std::int64_t tolerance) {
+  auto nearest = std::lower_bound(lists.begin(), lists.end(), utime,
+                                  [](const core::TrackList& list, std::int64_t t) { return list.utime < t; });
+  if (nearest != lists.begin() &&
+      (nearest == lists.end() || utime - std::prev(nearest)->utime < nearest->utime - utime))
+    --nearest;
+  if (nearest == lists.end() || std::abs(nearest->utime - utime) > tolerance) return {};
+  return nearest->tracks;
+}
+
+/// What the flags say of times. @throws core::InputError on a tolerance out of range.
+std::optional<tracking::TruthMatch> match_of(const Options& options) {
+  if (!options.time_tolerance && !options.interpolate) return std::nullopt;
+  const double tolerance = options.time_tolerance.value_or(core::seconds(kSameTime));
+  if (!(tolerance >= 0.0 && tolerance <= kLongestTolerance))
+    throw core::InputError("--time-tolerance: got " + core::shortest(tolerance) + ", expected 0 to 3600 s");
+  return tracking::TruthMatch{std::max(kSameTime, core::microseconds(tolerance)), options.interpolate};
+}
+
+/// Truth and tracks at one time.
+struct ScoredTime {
+  core::GroundTruth truth;
+  std::span<const core::Track> tracks;
+};
+
+/// The two files, brought to common times.
+class Comparison {
+ public:
+  explicit Comparison(const Options& options)
+      : truth_(core::read_truth(options.inputs[0])), lists_(core::read_tracks(options.inputs[1])) {
+    if (!truth_.empty() && !lists_.empty())
+      require_one_clock(tools::times_of(truth_), times_of(lists_), options.inputs[0]);
+    const auto asked = match_of(options);
+    tolerance_ = asked ? asked->tolerance : kSameTime;
+    const Times scans = scan_times(options);
+    const Times& others = scans.empty() ? times_of(lists_) : scans;
+    auto chosen =
+        asked ? tracking::ChosenMatch{*asked, ""} : tracking::choose_match(tools::times_of(truth_), others);
+    if (!asked) tolerance_ = std::max(tolerance_, chosen.match.tolerance);
+    if (chosen.match.interpolate || !scans.empty())
+      times_ = distinct(others, tolerance_);
+    else
+      times_ = distinct(joined(tools::times_of(truth_), others), tolerance_);
+    fill(MatchedTruth(truth_, std::move(chosen)), options);
+  }
+
+  const std::vector<ScoredTime>& times() const { return scored_; }
+
+ private:
+  static Times joined(Times a, const Times& b) {
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+  }
+
+  /// The times of --times, or of the recording that the truth belongs to where the estimates are of its
+  /// scans.
+  Times scan_times(const Options& options) const {
+    if (!options.times.empty()) return read_times(options.times);
+    const auto beside = std::filesystem::path(options.inputs[0]).parent_path() / "scans.csv";
+    if (!std::filesystem::is_regular_file(beside)) return {};
+    const Times scans = distinct(read_times(beside.string()), kSameTime);
+    const tracking::TimeAgreement agreement = tracking::compare_times(scans, times_of(lists_));
+    if (agreement.matched != static_cast<std::int64_t>(lists_.size())) return {};
+    return scans;
+  }
+
+  void fill(MatchedTruth matched, const Options& options) {
+    for (const auto time : times_) {
+      auto truth = matched.at(time);
+      if (!truth) continue;
+      scored_.push_back({*std::move(truth), tracks_at(lists_, time, tolerance_)});
+      scored_.back().truth.utime = time;
+      require_few(scored_.back().truth.targets.size(), options.inputs[0], time);
+      require_few(scored_.back().tracks.size(), options.inputs[1], time);
+    }
+    for (const auto& note : matched.notes()) log_warning("ospa: " + note);
+    if (scored_.empty()) throw core::InputError("ospa: there is no time to average over");
+  }
+
+  static void require_few(std::size_t points, const std::string& file, std::int64_t utime) {
+    if (points > kMostPoints)
+      throw core::InputError(file + ": " + std::to_string(points) + " rows at " + core::time_text(utime) +
+                             " s, expected at most " + std::to_string(kMostPoints));
+  }
+
+  std::vector<core::GroundTruth> truth_;
+  std::vector<core::TrackList> lists_;
+  std::int64_t tolerance_ = kSameTime;
+  Times times_;
+  std::vector<ScoredTime> scored_;
+};
+
+/// What a metric says: the parts by name, and the same at each time.
+struct Score {
+  std::string name;                                   ///< As in "OSPA 1.8 m".
+  std::vector<std::pair<std::string, double>> parts;  ///< The total first.
+  std::string header;                                 ///< Of the CSV over time.
+  std::vector<std::vector<double>> rows;              ///< One a time.
+};
+
+Score ospa_score(const Comparison& comparison, const Options& options) {
+  tracking::Scorer scorer = make_scorer(options);
+  Score score{"OSPA", {}, "total,localization,cardinality,num_truth,num_tracks", {}};
+  for (const auto& time : comparison.times()) {
+    const tracking::OspaResult& ospa = scorer.add(time.truth, time.tracks).position;
+    score.rows.push_back(
+        {ospa.total, ospa.localization, ospa.cardinality, 1.0 * ospa.num_truth, 1.0 * ospa.num_tracks});
+  }
+  const tracking::OspaResult mean = scorer.mean().position;
+  score.parts = {
+      {"total", mean.total}, {"localization", mean.localization}, {"cardinality", mean.cardinality}};
+  return score;
+}
+
+void require_finite_order(const Options& options) {
+  if (std::isinf(options.order))
+    throw core::InputError("--order: got inf, expected a finite number for --metric " + options.metric);
+}
+
+Score gospa_score(const Comparison& comparison, const Options& options) {
+  require_finite_order(options);
+  tracking::Scorer scorer = make_scorer(options);
+  Score score{"GOSPA", {}, "total,localization,missed,false,num_missed,num_false", {}};
+  for (const auto& time : comparison.times()) {
+    const tracking::GospaResult& gospa = scorer.add(time.truth, time.tracks).gospa;
+    score.rows.push_back({gospa.total, gospa.localization, gospa.missed, gospa.false_tracks,
+                          1.0 * gospa.num_missed, 1.0 * gospa.num_false});
+  }
+  const tracking::GospaResult mean = scorer.mean().gospa;
+  score.parts = {{"total", mean.total},
+                 {"localization", mean.localization},
+                 {"missed", mean.missed},
+                 {"false", mean.false_tracks}};
+  return score;
+}
+
+/// What counts of both files, as trajectories.
+struct TrajectoryPair {
+  TrajectoryPair(const Comparison& comparison, tracking::TruthKind kind) {
+    for (const auto& time : comparison.times()) {
+      truth.next_time();
+      estimate.next_time();
+      for (const auto& target : time.truth.targets)
+        if (tracking::counts(target, kind)) truth.add(target.id, target.position);
+      for (const auto& track : time.tracks)
+        if (tracking::counts(track, kind)) estimate.add(track.id, track.position());
+    }
+  }
+  tracking::TrajectorySet truth, estimate;
+};
+
+/// The first time that a window of --window ending at time `last` holds.
+std::size_t window_begin(const Comparison& comparison, std::size_t last, const Options& options) {
+  if (!options.window) return 0;
+  const std::int64_t begin = comparison.times()[last].truth.utime - core::microseconds(*options.window);
+  std::size_t first = last;
+  while (first > 0 && comparison.times()[first - 1].truth.utime > begin) --first;
+  return first;
+}
+
+Score ospa2_score(const Comparison& comparison, const Options& options) {
+  const tracking::TruthKind kind = make_scorer(options).kind();
+  if (options.window && !(*options.window > 0.0 && *options.window <= core::seconds(core::kMaxUtime)))
+    throw core::InputError("--window: got " + core::shortest(*options.window) + ", expected seconds > 0");
+  const TrajectoryPair pair(comparison, kind);
+  tracking::Ospa2 ospa2({options.cutoff, options.order});
+  Score score{"OSPA(2)", {}, "total,localization,cardinality,num_truth,num_tracks", {}};
+  const std::size_t end = comparison.times().size();
+  const bool each = options.window || !options.over_time.empty();
+  std::array<double, 3> sum{};
+  for (std::size_t last = each ? 0 : end - 1; last < end; ++last) {
+    const auto r = ospa2(pair.truth, pair.estimate, {window_begin(comparison, last, options), last});
+    score.rows.push_back({r.total, r.localization, r.cardinality, 1.0 * r.num_truth, 1.0 * r.num_tracks});
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += score.rows.back()[i] / static_cast<double>(end);
+  }
+  // Without a window the last value is that of the whole run.
+  if (!options.window) std::copy_n(score.rows.back().begin(), sum.size(), sum.begin());
+  score.parts = {{"total", sum[0]}, {"localization", sum[1]}, {"cardinality", sum[2]}};
+  return score;
+}
+
+tracking::TrajectoryGospaParams trajectory_params(const Options& options) {
+  const double penalty = options.switch_penalty.value_or(kSwitchShare * options.cutoff);
+  if (!(penalty > 0.0 && std::isfinite(penalty)))
+    throw core::InputError("--switch-penalty: got " + core::shortest(penalty) + ", expected a number > 0");
+  return {options.cutoff, options.order, penalty};
+}
+
+Score tgospa_score(const Comparison& comparison, const Options& options) {
+  require_finite_order(options);
+  const tracking::TruthKind kind = make_scorer(options).kind();
+  const TrajectoryPair pair(comparison, kind);
+  const tracking::TrajectoryGospa metric(trajectory_params(options));
+  Score score{
+      "T-GOSPA", {}, "total,localization,missed,false,switches,num_missed,num_false,num_switches", {}};
+  try {
+    const auto result = metric(pair.truth, pair.estimate);
+    for (const auto& step : result.steps)
+      score.rows.push_back({metric.total(step), metric.total({.localization = step.localization}),
+                            metric.total({.missed = step.missed}),
+                            metric.total({.false_tracks = step.false_tracks}),
+                            metric.total({.switches = step.switches}), 1.0 * step.missed,
+                            1.0 * step.false_tracks, step.switches});
+    score.parts = {{"total", result.total},       {"localization", result.localization},
+                   {"missed", result.missed},     {"false", result.false_tracks},
+                   {"switches", result.switches}, {kChanges, result.num_switches}};
+  } catch (const std::length_error& error) {
+    throw core::InputError(std::string("--metric tgospa: ") + error.what() +
+                           ": too many for the exact metric; expected " +
+                           "fewer targets or tracks near one another, or a smaller --cutoff");
+  }
+  return score;
+}
+
+struct Metric {
+  const char* name;
+  Score (*score)(const Comparison&, const Options&);
+};
+
+constexpr std::array<Metric, 4> kMetrics{
+    {{"ospa", ospa_score}, {"gospa", gospa_score}, {"ospa2", ospa2_score}, {"tgospa", tgospa_score}}};
+
+const Metric& metric_of(const Options& options) {
+  std::string accepted;
+  for (const Metric& metric : kMetrics) {
+    if (options.metric == metric.name) return metric;
+    accepted += std::string(" ") + metric.name;
+  }
+  throw core::InputError("--metric: got `" + options.metric + "`, expected one of:" + accepted);
+}
+
+void refuse_idle_flags(const Options& options) {
+  if (options.window && options.metric != "ospa2")
+    throw core::InputError("--window: has no effect on --metric " + options.metric + ", expected ospa2");
+  if (options.switch_penalty && options.metric != "tgospa")
+    throw core::InputError("--switch-penalty: has no effect on --metric " + options.metric +
+                           ", expected tgospa");
+}
+
+void write_over_time(const std::string& path, const Score& score, const Comparison& comparison) {
+  core::CsvWriter csv(path, "time_s," + score.header);
+  for (std::size_t i = 0; i < score.rows.size(); ++i) {
+    csv.time(comparison.times()[i].truth.utime);
+    for (const double value : score.rows[i]) csv.number(value);
+    csv.end_row();
+  }
+  csv.close();
+}
+
+void print_json(const Score& score, std::size_t times) {
+  nlohmann::ordered_json root;
+  for (const auto& [name, value] : score.parts) root[name] = value;
+  root["times"] = times;
   std::cout << root.dump() << "\n";
+}
+
+void print_line(const Score& score, std::size_t times) {
+  const auto metres = [](double value) {
+    std::array<char, 64> text{};
+    std::snprintf(text.data(), text.size(), "%.3f", value);
+    return std::string(text.data());
+  };
+  std::string parts;
+  for (std::size_t i = 1; i < score.parts.size(); ++i) {
+    const auto& [name, value] = score.parts[i];
+    const bool count = name == kChanges;
+    parts += i > 1 ? ", " : "";
+    parts += count ? core::shortest(value) + " changes of track" : name + " " + metres(value) + " m";
+  }
+  std::cout << score.name << " " << metres(score.parts.front().second) << " m (" << parts << ") over "
+            << times << " times\n";
 }
 
 }  // namespace
 
 int ospa_command(const Options& options) {
   if (options.inputs.size() != 2) throw core::InputError("ospa: expected TRUTH.csv and ESTIMATE.csv");
-  const auto truth = core::read_truth(options.inputs[0]);
-  const auto tracks = core::read_tracks(options.inputs[1]);
-  std::vector<std::int64_t> times;
-  if (!options.times.empty()) {
-    times = read_times(options.times);
-  } else {
-    for (const auto& list : truth) times.push_back(list.utime);
-    for (const auto& list : tracks) times.push_back(list.utime);
-  }
-  times = distinct(std::move(times));
-  if (times.empty()) throw core::InputError("ospa: there is no time to average over");
-
-  tracking::Scorer scorer = make_scorer(options);
-  for (const auto time : times) scorer.add(at_time(truth, time), at_time(tracks, time).tracks);
-  const tracking::OspaResult mean = scorer.mean().position;
-  if (options.json) {
-    print_json(mean, scorer.num_scans());
-  } else {
-    std::cout << describe(mean) << " over " << scorer.num_scans() << " times\n";
-  }
+  const Metric& metric = metric_of(options);
+  refuse_idle_flags(options);
+  make_scorer(options);  // A bad flag stops here, before the work.
+  const Comparison comparison(options);
+  const Score score = metric.score(comparison, options);
+  if (!options.over_time.empty()) write_over_time(options.over_time, score, comparison);
+  if (options.json)
+    print_json(score, comparison.times().size());
+  else
+    print_line(score, comparison.times().size());
   return 0;
 }
 

@@ -1,7 +1,7 @@
 #include <filesystem>
 
-#include "core/csv.hpp"
 #include "core/input_error.hpp"
+#include "core/time_text.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/replay_log.hpp"
@@ -16,6 +16,10 @@ namespace {
 TrackedRun replay_recording(const std::string& directory, Configuration& configuration, std::uint64_t seed) {
   TrackedRun run;
   run.recording = core::read_recording(directory, configuration.sensor);
+  for (const auto& note : run.recording.notes) log_warning(note);
+  std::vector<std::int64_t> times;
+  for (const auto& scan : run.recording.scans) times.push_back(scan.utime);
+  require_one_clock(times_of(run.recording.truth), times, directory + "/truth.csv");
   if (run.recording.params) configuration.sensor = *run.recording.params;
   RecordedChain chain(configuration, seed);
   auto state = run.recording.vehicle.begin();
@@ -42,7 +46,7 @@ void tell(const LogFigures& figures, const TrackedRun& run, const std::string& p
   const std::string both = std::to_string(figures.tracks.size()) + " TRACKS in the log, " +
                            std::to_string(run.output.tracks.size()) + " now";
   if (const auto differs = first_difference(figures.tracks, run.output.tracks))
-    log_warning(both + "; they differ from " + core::shortest(core::seconds(*differs)) +
+    log_warning(both + "; they differ from " + core::time_text(*differs) +
                 " s on (another seed or configuration?)");
   else
     log_info(both + ", equal");
@@ -71,10 +75,14 @@ int replay_command(const Options& options) {
     throw core::InputError("replay: expected one recording directory or LCM log");
   if (options.out.empty()) throw core::InputError("replay: --out DIR is missing");
   Configuration configuration = load_configuration(options);
+  refuse_idle_choices(options, configuration);
   make_scorer(options);  // A bad flag stops here, before the work.
   std::string input = options.inputs[0];
   if (input.starts_with("file://")) input = input.substr(7, input.find('?') - 7);
   const bool is_directory = std::filesystem::is_directory(input);
+  if (is_directory && !options.channel_prefix.empty())
+    throw core::InputError(
+        "--channel-prefix: has no effect on a recording directory, expected an LCM log or none");
   if (is_directory && tracks_images(configuration))
     throw core::InputError("--estimator: h_pmht needs raw images, which " + input +
                            " does not hold; expected an LCM log with SONAR_IMAGE");

@@ -9,13 +9,14 @@
 namespace lookout::tools {
 namespace {
 
-/// What the tracker is told: the configuration, with the geometry that the scans carry; with --known-sensor
-/// the scene's accuracy and probabilities too.
+/// What the tracker is told: the scene's figures and over them what the configuration says; with
+/// --unknown-sensor the configuration alone. The geometry is always that of the scans.
 core::SonarParams told_params(const sonar_sim::Scene& scene, const sonar_sim::PlatformPlan& platform,
-                              const Configuration& configuration, bool known_sensor) {
-  if (known_sensor) return sonar_sim::known_params(scene, platform);
+                              const Options& options) {
+  const core::SonarParams known =
+      options.unknown_sensor ? core::SonarParams{} : sonar_sim::known_params(scene, platform);
   const core::SonarParams& plan = platform.sonar.params;
-  core::SonarParams told = configuration.sensor;
+  core::SonarParams told = load_configuration(options, known).sensor;
   told.num_beams = plan.num_beams;
   told.first_bearing = plan.first_bearing;
   told.bearing_step = plan.bearing_step;
@@ -61,7 +62,7 @@ TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
 TrackedRun run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration configuration,
                         const Options& options) {
   sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
-  configuration.sensor = told_params(scene, simulator.platform(), configuration, options.known_sensor);
+  configuration.sensor = told_params(scene, simulator.platform(), options);
   if (!tracks_images(configuration)) {
     RecordedChain chain(configuration, options.seed);
     return run_through(chain, simulator, configuration);
@@ -79,6 +80,7 @@ int run_command(const Options& options) {
   if (options.out.empty()) throw core::InputError("run: --out DIR is missing");
   const sonar_sim::Scene scene = sonar_sim::load_scene(options.inputs[0]);
   const Configuration configuration = load_configuration(options);
+  refuse_idle_choices(options, configuration);
   make_scorer(options);  // a bad flag stops here, before the work
   for (std::size_t index = 0; index < scene.platforms.size(); ++index) {
     const bool alone = scene.platforms.size() == 1;

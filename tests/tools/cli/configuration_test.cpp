@@ -48,10 +48,53 @@ TEST(Configuration, FlagsWinOverTheFile) {
   EXPECT_EQ(configuration.estimator.name, "ransac");
   EXPECT_EQ(configuration.tracker.name, "gnn");
   options.tracker = "kalman";
+  EXPECT_EQ(load_configuration(options).tracker.name, "kalman");
   options.estimator = "h_pmht";
   configuration = load_configuration(options);
-  EXPECT_EQ(configuration.tracker.name, "kalman");
+  EXPECT_EQ(configuration.tracker.name, "h_pmht");  // It stands in place of any tracker.
   EXPECT_TRUE(tracks_images(configuration));
+}
+
+TEST(Configuration, TheFileStandsOverWhatIsKnownOfTheSensor) {
+  const tests::TemporaryDirectory folder;
+  core::SonarParams known;
+  known.range_sigma = 0.5;
+  known.miss_probability = 0.25;
+  const auto options = with_config(folder.write("c.yaml", "sensor: {miss_probability: 0.125}\n"));
+  EXPECT_EQ(load_configuration(options, known).sensor.range_sigma, 0.5);
+  EXPECT_EQ(load_configuration(options, known).sensor.miss_probability, 0.125);
+}
+
+/// What is said of choices that would do nothing; empty for none.
+std::string idle(Options options, const std::string& yaml = "") {
+  const tests::TemporaryDirectory folder;
+  if (!yaml.empty()) options.config = folder.write("c.yaml", yaml);
+  try {
+    refuse_idle_choices(options, load_configuration(options));
+  } catch (const core::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Configuration, ChoicesWithoutEffectAreRefused) {
+  Options joint, kalman, images;
+  joint.estimator = "csht";
+  kalman.tracker = "kalman";
+  images.estimator = "h_pmht";
+  EXPECT_EQ(idle(joint), "");  // The tracker begins what the estimator finds.
+  EXPECT_EQ(idle(kalman), "");
+  EXPECT_NE(idle(kalman, "estimator: {name: csht}\n")
+                .find("estimator: name: `csht` has no effect on tracker kalman"),
+            std::string::npos);
+  EXPECT_NE(idle(kalman, "output: {min_existence: 0.5}\n").find("min_existence: has no effect"),
+            std::string::npos);
+  EXPECT_NE(idle({}, "estimator: {window_scans: 10}\n").find("window_scans: has no effect"),
+            std::string::npos);
+  EXPECT_EQ(idle({}, "estimator: {name: joint, window_scans: 20}\ntracker: {name: joint}\n"), "");
+  EXPECT_EQ(idle(images), "");
+  images.tracker = "gnn";
+  EXPECT_EQ(idle(images).find("--tracker: has no effect"), 0u);
 }
 
 TEST(Configuration, LagIsInMicrosecondsAndBounded) {

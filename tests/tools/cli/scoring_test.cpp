@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "core/input_error.hpp"
 
 namespace lookout::tools {
@@ -28,6 +30,40 @@ TEST(MakeScorer, RefusesWhatOspaDoesNotDefine) {
   options = {};
   options.truth = "maybe";
   EXPECT_THROW(make_scorer(options), core::InputError);
+  options = {};
+  options.cutoff = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(make_scorer(options), core::InputError);
+  options = {};
+  options.order = std::numeric_limits<double>::infinity();
+  EXPECT_NO_THROW(make_scorer(options));
+}
+
+/// A target at rest at `times` [us].
+std::vector<core::GroundTruth> resting_target(const std::vector<std::int64_t>& times) {
+  std::vector<core::GroundTruth> truth;
+  for (const auto time : times) truth.push_back({time, {core::TargetTruth{}}});
+  return truth;
+}
+
+TEST(MatchedTruth, AScanWithoutRowsIsWithoutTargetsWhereTheTruthIsOnTheScansClock) {
+  MatchedTruth matched(resting_target({0, 1'000'000}), {0, 1'000'000, 2'000'000});
+  EXPECT_EQ(matched.at(0)->targets.size(), 1u);
+  EXPECT_EQ(matched.at(2'000'000)->targets.size(), 0u);
+  ASSERT_EQ(matched.notes().size(), 1u);
+  EXPECT_EQ(matched.notes()[0], "1 of 2 scans are at times without truth: scored as without targets");
+}
+
+TEST(MatchedTruth, IsUnknownBeyondATruthOfItsOwnClock) {
+  MatchedTruth matched(resting_target({500, 1'000'500}), {0, 1'000'000, 2'000'000});
+  EXPECT_EQ(matched.at(0)->targets.size(), 1u);
+  EXPECT_FALSE(matched.at(2'000'000));
+  EXPECT_EQ(matched.notes().size(), 2u);
+}
+
+TEST(RequireOneClock, RefusesATruthOfAnotherEpoch) {
+  EXPECT_NO_THROW(require_one_clock({0, 10}, {5, 20}, "truth.csv"));
+  EXPECT_NO_THROW(require_one_clock({}, {5, 20}, "truth.csv"));
+  EXPECT_THROW(require_one_clock({1'700'000'000'000'000}, {0, 1'000'000}, "truth.csv"), core::InputError);
 }
 
 TEST(Describe, NamesAllThreeParts) {

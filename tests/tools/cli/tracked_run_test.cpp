@@ -20,8 +20,8 @@ core::VehicleState state_at(std::int64_t utime, double north) {
 }
 
 TEST(KeepInOrder, DropsWhatIsNotLaterThanAllBefore) {
-  std::vector<core::VehicleState> vehicle{state_at(10, 1), state_at(30, 2), state_at(20, 3),
-                                          state_at(30, 4), state_at(31, 5)};
+  std::vector<core::VehicleState> vehicle{state_at(10, 1), state_at(30, 2), state_at(20, 3), state_at(30, 4),
+                                          state_at(31, 5)};
   keep_in_order(vehicle);
   ASSERT_EQ(vehicle.size(), 3u);
   EXPECT_EQ(vehicle[0].T_earth_body.north, 1);
@@ -62,6 +62,35 @@ TEST(WriteTrackedRun, ScoresEveryScanAndSumsUp) {
   EXPECT_EQ(summary["ospa"]["total"], 12.5);
   EXPECT_EQ(summary["tracked_scans"], 2);
   EXPECT_EQ(summary["scenario"], "scene.yaml");
+}
+
+TEST(WriteTrackedRun, AScanThatWasRefusedIsScoredWithoutTracks) {
+  const tests::TemporaryDirectory folder;
+  Options options;
+  options.inputs = {"scene.yaml"};
+  TrackedRun run = half_missed();
+  run.recording.scans[1].utime = 500'000;
+  run.output.tracks.pop_back();
+  write_tracked_run(folder.path(), run, {}, options);
+  std::ifstream file(folder.file("summary.json"));
+  const auto summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary["ospa"]["total"], 12.5);  // As above: (5 + 20) / 2.
+  EXPECT_EQ(summary["ospa"]["times"], 2);
+}
+
+TEST(WriteTrackedRun, ASummaryOfTrackedImagesCountsThemAndNamesTheirTracker) {
+  const tests::TemporaryDirectory folder;
+  Options options;
+  options.inputs = {"log"};
+  options.estimator = "h_pmht";
+  TrackedRun run = half_missed();
+  run.recording.scans.clear();
+  run.counts.accepted = 2;
+  write_tracked_run(folder.path(), run, load_configuration(options), options);
+  std::ifstream file(folder.file("summary.json"));
+  const auto summary = nlohmann::json::parse(file);
+  EXPECT_EQ(summary["tracker"], "h_pmht");
+  EXPECT_EQ(summary["scans"], 2);
 }
 
 TEST(WriteTrackedRun, WithoutTruthThereIsNoScore) {

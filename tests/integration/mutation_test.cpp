@@ -1,0 +1,319 @@
+// Damages files of every format at random and hands them to the commands that read them: none may crash,
+// hang, end with another status than 0, 1 or 2, or show an exception's text in place of a sentence. A child
+// process a mutation, forked and not started anew, so that one takes two milliseconds. usage: mutation_test
+// FORMAT [MUTATIONS [SEED]]
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <random>
+#include <sstream>
+
+#include "core/input_error.hpp"
+#include "tests/support/temporary_directory.hpp"
+#include "tools/commands/commands.hpp"
+
+namespace lookout::tests {
+namespace {
+
+constexpr unsigned kLongestRun = 10;                // Of one command [s].
+constexpr rlim_t kLargestMemory = rlim_t{2} << 30;  // Of one command [bytes].
+constexpr int kMostReported = 5;
+/// What a library would say. A sentence of ours holds none of them.
+constexpr std::array kExceptionTexts{"std::",      "bad_alloc",    "vector",         "basic_string",
+                                     "stoi",       "stod",         "what()",         "terminate",
+                                     "json.excep", "yaml-cpp",     "bad conversion", "filesystem error",
+                                     "_M_",        "length_error", "map::at",        "Assertion"};
+
+std::string read(const std::string& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+/// Changes bytes as storage, editors and people do.
+class Mutator {
+ public:
+  explicit Mutator(unsigned seed) : random_(seed) {}
+
+  std::string operator()(std::string text) {
+    for (std::size_t changes = 1 + below(3); changes > 0; --changes) change(text);
+    return text;
+  }
+  std::size_t below(std::size_t end) { return end == 0 ? 0 : random_() % end; }
+
+ private:
+  void change(std::string& text) {
+    static const std::array<std::string, 32> kTokens{"nan",
+                                                     "inf",
+                                                     "-1",
+                                                     "0",
+                                                     "1e308",
+                                                     "1e-308",
+                                                     "-1e9",
+                                                     "99999999999999999999",
+                                                     "0x10",
+                                                     "1.7e+09",
+                                                     ",",
+                                                     ";",
+                                                     "\"",
+                                                     "'",
+                                                     std::string(1, '\0'),
+                                                     "\xff\xfe",
+                                                     "\n",
+                                                     "\r\n",
+                                                     "\t",
+                                                     "- ",
+                                                     "{",
+                                                     "}",
+                                                     "[",
+                                                     "]",
+                                                     "&a ",
+                                                     "*a",
+                                                     "<<: ",
+                                                     "---\n",
+                                                     "#",
+                                                     ":",
+                                                     "true",
+                                                     "\xEF\xBB\xBF"};
+    const std::size_t at = below(text.size() + 1);
+    const std::size_t length = std::min(text.size() - at, 1 + below(12));
+    switch (below(6)) {
+      case 0:
+        if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.insert(at, text.substr(at, length));
+        break;
+      case 3:
+        text.insert(at, kTokens[below(kTokens.size())]);
+        break;
+      case 4:
+        replace_number(text, at, kTokens[below(10)]);
+        break;
+      default:
+        below(8) == 0 ? text.resize(at) : swap_lines(text);
+    }
+  }
+
+  static void replace_number(std::string& text, std::size_t at, const std::string& by) {
+    const std::size_t begin = text.find_first_of("0123456789", at);
+    if (begin == std::string::npos) return;
+    const std::size_t end = std::min(text.find_first_not_of("0123456789.e+-", begin), text.size());
+    text.replace(begin, end - begin, by);
+  }
+
+  void swap_lines(std::string& text) {
+    const std::size_t begin = text.rfind('\n', below(text.size()));
+    if (begin == std::string::npos) return;
+    const std::size_t end = text.find('\n', begin + 1);
+    if (end == std::string::npos) return;
+    text = text.substr(0, begin) + text.substr(end) + text.substr(begin, end - begin);
+  }
+
+  std::mt19937 random_;
+};
+
+/// A format: good files, and the command that reads them.
+struct Format {
+  std::map<std::string, std::string> files;  ///< By name in the folder.
+  std::vector<std::string> damaged;          ///< Those to damage, one at a time.
+  std::function<int(const std::string& folder)> command;
+};
+
+const std::string kSource = LOOKOUT_SOURCE_DIR;
+
+constexpr const char* kScene =
+    "duration: 1.0\nvehicle: {north: 0.0, east: 0.0, north_velocity: 0.87, east_velocity: 0.5}\n"
+    "sonar: {num_beams: 30, first_bearing_deg: -29, bearing_step_deg: 2.0, max_range: 100.0, scan_period: "
+    "0.5,\n"
+    "        range_sigma: 1.0, miss_probability: 0.3, false_alarm_probability: 0.1, clutter: literal}\n"
+    "targets:\n  - {id: 1, north: 60.0, east: 8.0, north_velocity: -0.5, east_velocity: -1.0, appear: 0.0, "
+    "disappear: 9.0}\n"
+    "  - {id: 2, north: 20.0, east: 0.0, turn_rate_deg: 1.0, acceleration: 0.1}\n";
+
+constexpr const char* kConfiguration =
+    "sensor: {range_sigma: 3.0, max_speed: 3.0}\nestimator: {name: csht, window_scans: 20}\n"
+    "tracker: {name: csht, coast_s: 10.0, initiator: csht}\noutput: {min_existence: 0.5}\n"
+    "initiator: {position_sigma: 60.0, range_sigma: 10.0, azimuth_sigma_deg: 0.3, min_speed: 100.0, "
+    "max_speed: 400.0,\n"
+    "            min_plots: 4, window_scans: 5, variant: text}\n"
+    "tbd: {dct_db: 5.0, truncation: zero, polarity: bright, start: [120.0, 80.0, 2.5, 0.0]}\n"
+    "fusion: {support: any, unit: km, origin: zero, association: one_to_one}\n";
+
+tools::Options options_in(const std::string& folder, const std::string& input) {
+  tools::Options options;
+  options.inputs = {folder + "/" + input};
+  options.out = folder + "/out";
+  options.tracker = "gnn";
+  return options;
+}
+
+Format recording_format() {
+  const std::string plain = kSource + "/tests/data/cases/csv_forms/crlf/";
+  Format format;
+  for (const char* name : {"scans.csv", "vehicle.csv", "truth.csv", "sonar.yaml"})
+    format.files[name] = read(plain + name);
+  format.damaged = {"scans.csv", "vehicle.csv", "truth.csv", "sonar.yaml"};
+  format.command = [](const std::string& folder) { return tools::replay_command(options_in(folder, "")); };
+  return format;
+}
+
+Format scene_format() {
+  return {{{"scene.yaml", kScene}}, {"scene.yaml"}, [](const std::string& folder) {
+            return tools::run_command(options_in(folder, "scene.yaml"));
+          }};
+}
+
+Format configuration_format() {
+  return {{{"scene.yaml", kScene}, {"config.yaml", kConfiguration}},
+          {"config.yaml"},
+          [](const std::string& folder) {
+            tools::Options options = options_in(folder, "scene.yaml");
+            options.config = folder + "/config.yaml";
+            options.tracker.clear();
+            return tools::run_command(options);
+          }};
+}
+
+Format image_format() {
+  Format format;
+  for (int frame = 0; frame < 4; ++frame) {
+    std::string image = "P5\n12 10\n255\n";
+    for (int pixel = 0; pixel < 120; ++pixel) image += static_cast<char>((pixel * 37 + frame * 11) % 64);
+    image[13 + static_cast<std::size_t>(40 + frame)] = static_cast<char>(200);
+    format.files["frame" + std::to_string(frame) + ".pgm"] = image;
+    format.damaged.push_back("frame" + std::to_string(frame) + ".pgm");
+  }
+  format.command = [](const std::string& folder) {
+    tools::Options options = options_in(folder, "");
+    options.method = "i_h_pmht_4";
+    options.tracker.clear();
+    options.out = folder + "/tracks.csv";
+    return tools::tbd_command(options);
+  };
+  return format;
+}
+
+Format points_format() {
+  std::string points = read(kSource + "/tools/data/example_points.csv");
+  return {{{"points.csv", points}}, {"points.csv"}, [](const std::string& folder) {
+            tools::Options options = options_in(folder, "points.csv");
+            options.method = "vct";
+            options.tracker.clear();
+            options.out = folder + "/tracks.csv";
+            return tools::initiate_command(options);
+          }};
+}
+
+Format tracks_format() {
+  const std::string truth = read(kSource + "/tests/data/cases/csv_forms/crlf/truth.csv");
+  return {{{"truth.csv", truth}, {"tracks.csv", truth}},
+          {"truth.csv", "tracks.csv"},
+          [](const std::string& folder) {
+            tools::Options options = options_in(folder, "truth.csv");
+            options.inputs.push_back(folder + "/tracks.csv");
+            return tools::ospa_command(options);
+          }};
+}
+
+/// What the program does with a command: its exit status, its words on stderr.
+int as_the_program(const Format& format, const std::string& folder) {
+  try {
+    return format.command(folder);
+  } catch (const core::InputError& error) {
+    std::cerr << "lookout: " << error.what() << "\n";
+    return 2;
+  } catch (const std::invalid_argument& error) {
+    std::cerr << "lookout: " << error.what() << "\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "lookout: " << error.what() << "\n";
+    return 1;
+  }
+}
+
+struct Outcome {
+  int status = -1;  ///< Of a child that ended by itself; else minus its signal.
+  std::string said;
+};
+
+Outcome run_child(const Format& format, const std::string& folder) {
+  const std::string said = folder + "/said";
+  const pid_t child = fork();
+  if (child == 0) {
+    const rlimit limit{kLargestMemory, kLargestMemory};
+    setrlimit(RLIMIT_AS, &limit);
+    alarm(kLongestRun);
+    if (freopen(said.c_str(), "w", stderr) == nullptr || freopen("/dev/null", "w", stdout) == nullptr)
+      _exit(99);
+    const int status = as_the_program(format, folder);
+    std::cerr.flush();
+    fflush(nullptr);
+    _exit(status);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), read(said)};
+}
+
+bool is_fault(const Outcome& outcome) {
+  if (outcome.status < 0 || outcome.status > 2) return true;
+  for (const char* text : kExceptionTexts)
+    if (outcome.said.find(text) != std::string::npos) return true;
+  return outcome.status == 2 && outcome.said.find("lookout: ") == std::string::npos;
+}
+
+int test(const std::string& name, const Format& format, int mutations, unsigned seed) {
+  const TemporaryDirectory folder;
+  Mutator mutate(seed);
+  std::array<int, 3> ended{};
+  int faults = 0;
+  for (int i = 0; i < mutations; ++i) {
+    for (const auto& [file, text] : format.files) folder.write(file, text);
+    const std::string& victim = format.damaged[mutate.below(format.damaged.size())];
+    const std::string damaged = mutate(format.files.at(victim));
+    write(folder.file(victim), damaged);
+    const Outcome outcome = run_child(format, folder.path());
+    if (!is_fault(outcome)) {
+      ++ended[static_cast<std::size_t>(outcome.status)];
+      continue;
+    }
+    if (++faults <= kMostReported)
+      std::cout << name << " " << i << " (" << victim << "): status " << outcome.status << ": "
+                << outcome.said << "\n"
+                << damaged << "\n";
+  }
+  std::cout << name << ": " << mutations << " mutations: " << ended[0] << " read, " << ended[2]
+            << " refused, " << ended[1] << " failed, " << faults << " faults\n";
+  return faults == 0 ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace lookout::tests
+
+int main(int argc, char** argv) {
+  using namespace lookout::tests;
+  const std::map<std::string, Format (*)()> formats{
+      {"recording", recording_format}, {"scene", scene_format},   {"configuration", configuration_format},
+      {"images", image_format},        {"points", points_format}, {"tracks", tracks_format}};
+  if (argc < 2 || !formats.contains(argv[1])) return std::cerr << "expected a format\n", 2;
+  const int mutations = argc > 2 ? std::atoi(argv[2]) : 3000;
+  const unsigned seed = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 1;
+  return test(argv[1], formats.at(argv[1])(), mutations, seed);
+}
