@@ -175,7 +175,7 @@ class CshtTracking : public Experiment {
     for (std::size_t k = 0; k < scans.size(); ++k) {
       lists.push_back({scans[k].truth.utime, output.tracks[k]});
       const auto& score = scorer.add(scans[k].truth, output.tracks[k]).position;
-      csv.number(core::seconds(scans[k].truth.utime)).number(score.total).number(score.localization);
+      csv.time(scans[k].truth.utime).number(score.total).number(score.localization);
       csv.number(score.cardinality).integer(score.num_truth).integer(score.num_tracks).end_row();
     }
     csv.close();

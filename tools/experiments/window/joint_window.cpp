@@ -45,7 +45,7 @@ void write_echoes(const std::vector<TimedScan>& scans, const std::string& path) 
   for (const auto& timed : scans) {
     csht::scan_to_detections(timed.posed, 0, detections);
     for (const auto& echo : detections)
-      csv.number(core::seconds(echo.utime)).number(echo.p_earth.x()).number(echo.p_earth.y()).end_row();
+      csv.time(echo.utime).number(echo.p_earth.x()).number(echo.p_earth.y()).end_row();
   }
   csv.close();
 }
