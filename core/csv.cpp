@@ -66,12 +66,6 @@ bool parse(const std::string& text, Number& value) {
   return error == std::errc() && end == stop;
 }
 
-/// How a value is shown in a message: a damaged file can hold a field of any length.
-std::string shown(const std::string& text) {
-  constexpr std::size_t kLongest = 60;
-  return "`" + (text.size() > kLongest ? text.substr(0, kLongest) + "..." : text) + "`";
-}
-
 }  // namespace
 
 std::string shortest(double value) {

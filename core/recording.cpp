@@ -239,7 +239,7 @@ std::vector<TrackList> read_tracks(const std::string& path) {
       else if (status == "coasting")
         track.status = TrackStatus::coasting;
       else if (status != "confirmed")
-        table.fail(row, "status", "got `" + status + "`, expected tentative, confirmed or coasting");
+        table.fail(row, "status", "got " + shown(status) + ", expected tentative, confirmed or coasting");
     }
     track.state << table.number(row, "north_m"), table.number(row, "east_m"),
         number_or(table, row, "north_velocity_mps", 0.0), number_or(table, row, "east_velocity_mps", 0.0);

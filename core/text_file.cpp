@@ -10,6 +10,7 @@ namespace lookout::core {
 namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{2} << 30;  // A device without an end is not read for ever.
+constexpr std::size_t kLongestShown = 60;
 constexpr std::size_t kChunk = std::size_t{1} << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
@@ -43,6 +44,13 @@ std::string read_text_file(const std::string& path, std::string_view expected) {
                      " in UTF-8");
   if (text.starts_with(kByteOrderMark)) text.erase(0, kByteOrderMark.size());
   return text;
+}
+
+std::string shown(std::string_view value) {
+  std::string text = "`";
+  for (const char letter : value.substr(0, kLongestShown))
+    text += letter >= ' ' && letter <= '~' ? letter : '?';
+  return text + (value.size() > kLongestShown ? "...`" : "`");
 }
 
 void require_plain_target(const std::string& path) {

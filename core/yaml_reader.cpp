@@ -32,12 +32,6 @@ bool contains(const Range& range, double value) {
          (range.open_min ? value > range.min : value >= range.min);
 }
 
-/// How a key or value is shown in a message: a damaged file can hold one of any length.
-std::string shown(const std::string& text) {
-  constexpr std::size_t kLongest = 60;
-  return "`" + (text.size() > kLongest ? text.substr(0, kLongest) + "..." : text) + "`";
-}
-
 std::string joined(const std::vector<std::string>& words) {
   std::string line;
   for (const auto& word : words) line += (line.empty() ? "" : " ") + word;
@@ -200,7 +194,7 @@ int YamlMap::integer(const std::string& key, int fallback, const Range& range) c
   const auto value = optional_number(key, range);
   if (!value) return fallback;
   if (*value != std::floor(*value) || std::abs(*value) > 1e9)
-    fail(key, "got `" + impl_->find(key).Scalar() + "`, expected a whole number");
+    fail(key, "got " + shown(impl_->find(key).Scalar()) + ", expected a whole number");
   return static_cast<int>(*value);
 }
 

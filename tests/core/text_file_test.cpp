@@ -36,6 +36,12 @@ TEST(TextFile, RefusesDirectoriesAbsentAndBinaryFiles) {
   EXPECT_NE(error_of([&] { read_text_file(zero, "x"); }).find("zero byte"), std::string::npos);
 }
 
+TEST(TextFile, ShowsAValueOnOneLineWhateverItHolds) {
+  EXPECT_EQ(shown("150m"), "`150m`");
+  EXPECT_EQ(shown("a\nb\xff\x1b"), "`a?b??`");
+  EXPECT_EQ(shown(std::string(61, 'x')), "`" + std::string(60, 'x') + "...`");
+}
+
 TEST(TextFile, ReplacesNoDeviceAndNoDirectory) {
   const tests::TemporaryDirectory folder;
   EXPECT_EQ(error_of([] { write_text_file("/dev/null", "x"); }),
