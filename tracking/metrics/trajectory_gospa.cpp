@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -87,6 +88,8 @@ class GroupSearch {
   void add_time(std::size_t time) {
     time_ = time;
     next_.clear();
+    tried_ = 0;
+    least_cost_ = std::numeric_limits<double>::infinity();
     for (const State& state : states_) choose(state, state.partner, 0);
     prune();
   }
@@ -113,7 +116,13 @@ class GroupSearch {
     return TrajectorySet::at(*group_.tracks[static_cast<std::size_t>(j)], time_);
   }
 
-  /// All choices of target `i` and those behind it: its partner as before, none, or any track that is there
+  /// Whether taking track `j` gains anything now; one that is taken for later may be taken later.
+  bool near(std::size_t i, int j) const {
+    const auto track = track_at(j);
+    return track && (*target_at(i) - *track).norm() < params_.cutoff;
+  }
+
+  /// All choices of target `i` and those behind it: its partner as before, none, or any track that is near it
   /// now.
   void choose(const State& from, std::vector<int> partner, std::size_t i) {
     if (i == partner.size()) return take(from, partner);
@@ -125,13 +134,16 @@ class GroupSearch {
     }
     if (!target_at(i)) return;
     for (const int j : group_.candidates[i]) {
-      if (j == before || !track_at(j)) continue;
+      if (j == before || !near(i, j)) continue;
       partner[i] = j;
       choose(from, partner, i + 1);
     }
   }
 
   void take(const State& from, const std::vector<int>& partner) {
+    if (++tried_ > TrajectoryGospa::kMostPairings)
+      throw std::length_error("more than " + std::to_string(TrajectoryGospa::kMostPairings) +
+                              " pairings of targets and tracks are possible at one time");
     State state = from;
     double changes = 0.0;
     for (std::size_t i = 0; i < partner.size(); ++i) {
@@ -143,7 +155,10 @@ class GroupSearch {
     state.partner = partner;
     const TrajectoryGospaStep step = price(partner, changes);
     state.cost += step.localization + kHalf * (step.missed + step.false_tracks) + half_switch_ * changes;
-    keep(std::move(state), step);
+    // Beyond this, going on from the best one and changing all pairs costs less.
+    least_cost_ = std::min(least_cost_, state.cost);
+    const auto most_halves = static_cast<double>(2 * partner.size() + state.had_one.size());
+    if (state.cost <= least_cost_ + half_switch_ * most_halves) keep(std::move(state), step);
   }
 
   /// Half switches of target i's change to `j`; marks both as having had a partner.
@@ -224,7 +239,8 @@ class GroupSearch {
   const Group& group_;
   TrajectoryGospaParams params_;
   double half_switch_;
-  std::size_t time_ = 0;
+  std::size_t time_ = 0, tried_ = 0;
+  double least_cost_ = 0.0;  // Of the states of this time so far.
   std::vector<State> states_, next_;
   std::vector<Step> steps_;
 };

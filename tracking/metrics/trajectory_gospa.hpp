@@ -35,10 +35,13 @@ struct TrajectoryGospaResult {
 /// linear-programming bound. [GarciaFernandez2020].
 ///
 /// Exact by dynamic programming over the pairs, in groups of trajectories that ever come within the cut-off.
-/// Where more than kMostStates pairings of a group stay open at one time it gives up.
+/// Where
+/// more than kMostStates pairings of a group stay open at one time, or kMostPairings are possible, it gives
+/// up.
 class TrajectoryGospa {
  public:
   static constexpr std::size_t kMostStates = 400;
+  static constexpr std::size_t kMostPairings = 500'000;  ///< Tried at one time.
 
   /// @throws std::invalid_argument on a parameter out of range.
   explicit TrajectoryGospa(const TrajectoryGospaParams& params = {});

@@ -116,6 +116,25 @@ TEST(TrajectoryGospa, IsTheLeastOverAllSequencesOfPairings) {
   }
 }
 
+// Twelve targets and twelve tracks within the cut-off of one another: 10^11 pairings a time.
+TEST(TrajectoryGospa, GivesUpWhereTheExactMetricIsOutOfReach) {
+  std::vector<tests::Standing> crowd;
+  for (int id = 0; id < 12; ++id) crowd.push_back({id, {1.0 * id, 0.0}, 0, 9});
+  const auto set = trajectories(crowd, 10);
+  EXPECT_THROW(TrajectoryGospa()(set, set), std::length_error);
+}
+
+// Fifty targets out of one another's reach are fifty groups.
+TEST(TrajectoryGospa, ManyTargetsApartAreNoTrouble) {
+  std::vector<tests::Standing> fleet, tracks;
+  for (int id = 0; id < 50; ++id) {
+    fleet.push_back({id, {100.0 * id, 0.0}, 0, 199});
+    tracks.push_back({id, {100.0 * id + 3.0, 0.0}, 0, 199});
+  }
+  EXPECT_NEAR(TrajectoryGospa()(trajectories(fleet, 200), trajectories(tracks, 200)).total,
+              3.0 * std::sqrt(50.0 * 200.0), 1e-9);
+}
+
 TEST(TrajectoryGospa, RefusesBadParams) {
   EXPECT_THROW(TrajectoryGospa({.cutoff = 0.0}), std::invalid_argument);
   EXPECT_THROW(TrajectoryGospa({.order = std::numeric_limits<double>::infinity()}), std::invalid_argument);
