@@ -20,6 +20,7 @@ class ScanStamps {
   /// Most returns that a scan can have, as on the wire.
   static constexpr std::size_t kMostReturns = 30'000;
 
+  /// @param table must outlive this.
   explicit ScanStamps(const CsvTable& table) : table_(table) {}
 
   /// @param blank a row that says: a scan without returns.
@@ -43,12 +44,13 @@ class ScanStamps {
 /// Sorts returns from silences and counts what is odd.
 class ReturnChecks {
  public:
+  /// @param table must outlive this. @param bearing_column its name, for what is noted.
   ReturnChecks(const CsvTable& table, std::string_view bearing_column)
       : table_(table), bearing_column_(bearing_column) {}
 
   /// False for a bearing or range that is no finite number: a silent beam.
   bool is_echo(std::size_t row, const SonarReturn& echo);
-  void finish(std::vector<std::string>& notes) const;
+  void finish(std::vector<std::string>& notes) const;  ///< Adds a line a kind of oddity to `notes`.
 
  private:
   struct Count {

@@ -7,8 +7,8 @@ namespace lookout::tracking {
 
 /// Times [first, last] of a run, by index, both included.
 struct TimeWindow {
-  std::size_t first = 0;
-  std::size_t last = 0;
+  std::size_t first = 0;  ///< Its first time.
+  std::size_t last = 0;   ///< Its last time, >= first.
 };
 
 /// The OSPA(2) distance of two sets of trajectories over a window: the OSPA distance of the sets, where the

@@ -20,7 +20,8 @@ class TrajectorySet {
   /// @pre a time has begun. The last position of an identity at a time counts.
   void add(std::int64_t id, const Eigen::Vector2d& position);
 
-  std::size_t num_times() const { return num_times_; }
+  std::size_t num_times() const { return num_times_; }  ///< Times begun so far.
+  /// All trajectories, each as long as its last time needs.
   const std::map<std::int64_t, Trajectory>& by_id() const { return by_id_; }
   /// The trajectory at `time`; nothing beyond its end.
   static std::optional<Eigen::Vector2d> at(const Trajectory& trajectory, std::size_t time) {

@@ -6,6 +6,7 @@
 
 namespace lookout::tracking {
 
+/// What trajectory GOSPA counts as on a target, and at what price.
 struct TrajectoryGospaParams {
   double cutoff = 20.0;  ///< Largest distance at which a track is on a target [m], > 0, finite.
   double order = 2.0;    ///< Order p, in [1, inf).
@@ -26,7 +27,7 @@ struct TrajectoryGospaStep {
 /// lengths.
 struct TrajectoryGospaResult {
   double total = 0.0, localization = 0.0, missed = 0.0, false_tracks = 0.0, switches = 0.0;  ///< [m]
-  double num_switches = 0.0;
+  double num_switches = 0.0;               ///< Changes of track; a change to or from none is half a one.
   std::vector<TrajectoryGospaStep> steps;  ///< One a time.
 };
 
@@ -40,7 +41,7 @@ struct TrajectoryGospaResult {
 /// up.
 class TrajectoryGospa {
  public:
-  static constexpr std::size_t kMostStates = 400;
+  static constexpr std::size_t kMostStates = 400;        ///< Pairings kept open at one time.
   static constexpr std::size_t kMostPairings = 500'000;  ///< Tried at one time.
 
   /// @throws std::invalid_argument on a parameter out of range.

@@ -29,6 +29,7 @@ class TruthTimeline {
   /// at the times nearer to that list.
   std::optional<core::GroundTruth> at(std::int64_t utime) const;
 
+  /// The lists as recorded, in order of time.
   const std::vector<core::GroundTruth>& lists() const { return truth_; }
 
  private:
@@ -50,7 +51,7 @@ TimeAgreement compare_times(const std::vector<std::int64_t>& truth, const std::v
 
 /// A match that serves truth and scans which do not share their times, and a line that says so.
 struct ChosenMatch {
-  TruthMatch match;
+  TruthMatch match;  ///< How to take the truth at the scans.
   std::string note;  ///< Empty where the times agree.
 };
 
