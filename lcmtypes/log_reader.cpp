@@ -1,6 +1,11 @@
 #include "lcmtypes/log_reader.hpp"
 
-#include <cstdio>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "core/input_error.hpp"
@@ -8,49 +13,95 @@
 namespace lookout::lcmtypes {
 namespace {
 
-constexpr std::int64_t kEventHeader = 28;  // Of LCM's log format: mark, number, time, two lengths [bytes].
+// An event of LCM's log format, big endian: mark, number, time [us], length of channel and of data, both.
+constexpr std::array<std::uint8_t, 4> kMark{0xED, 0xA1, 0xDA, 0x01};
+constexpr std::size_t kTimeAt = 12, kChannelLengthAt = 20, kDataLengthAt = 24, kHeader = 28;
+constexpr std::uint64_t kLongestChannel = 63;  ///< LCM_MAX_CHANNEL_NAME_LENGTH.
 
-}  // namespace
+using Bytes = std::span<const std::uint8_t>;
 
-LogReader::LogReader(const std::string& path) {
+template <class Number>
+Number big_endian(Bytes file, std::size_t at) {
+  std::uint64_t value = 0;
+  for (std::size_t i = 0; i < sizeof(Number); ++i) value = value << 8U | file[at + i];
+  return static_cast<Number>(value);
+}
+
+bool is_mark(Bytes file, std::size_t at) {
+  return at + kMark.size() <= file.size() &&
+         std::equal(kMark.begin(), kMark.end(), file.begin() + static_cast<std::ptrdiff_t>(at));
+}
+
+std::size_t next_mark(Bytes file, std::size_t from) {
+  const auto found =
+      std::search(file.begin() + static_cast<std::ptrdiff_t>(from), file.end(), kMark.begin(), kMark.end());
+  return static_cast<std::size_t>(found - file.begin());
+}
+
+/// End of the event at `at` by its header; nothing where that cannot be an event's.
+std::optional<std::size_t> stated_end(Bytes file, std::size_t at) {
+  if (!is_mark(file, at) || at + kHeader > file.size()) return std::nullopt;
+  const std::uint64_t channel = big_endian<std::uint32_t>(file, at + kChannelLengthAt);
+  const std::uint64_t data = big_endian<std::uint32_t>(file, at + kDataLengthAt);
+  if (channel == 0 || channel > kLongestChannel || at + kHeader + channel + data > file.size())
+    return std::nullopt;
+  return at + kHeader + static_cast<std::size_t>(channel + data);
+}
+
+/// End of the event at `at`. A length that reaches over other events is damaged: what follows a whole event
+/// is another, the end of the file, or damage in which no event lies that begins before the stated end.
+std::optional<std::size_t> end_of_event(Bytes file, std::size_t at) {
+  const auto end = stated_end(file, at);
+  if (!end || *end == file.size() || is_mark(file, *end)) return end;
+  for (std::size_t inner = next_mark(file, at + 1); inner < *end; inner = next_mark(file, inner + 1)) {
+    if (stated_end(file, inner)) return std::nullopt;
+  }
+  return end;
+}
+
+/// @throws core::InputError where the file cannot be read.
+Bytes map_file(const std::string& path) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     throw core::InputError(path + ": is not a file; expected an LCM log");
-  file_ = std::make_unique<lcm::LogFile>(path, "r");
-  if (!file_->good()) throw core::InputError(path + ": cannot be read; expected an LCM log");
-  size_ = static_cast<std::int64_t>(std::filesystem::file_size(path));
+  const auto size = static_cast<std::size_t>(std::filesystem::file_size(path, error));
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (error || descriptor < 0) throw core::InputError(path + ": cannot be read; expected an LCM log");
+  void* memory = size == 0 ? nullptr : mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
+  close(descriptor);
+  if (memory == MAP_FAILED) throw core::InputError(path + ": cannot be read; expected an LCM log");
+  return {static_cast<const std::uint8_t*>(memory), size};
 }
 
-std::int64_t LogReader::position() {
-  return ftello(file_->getFilePtr());
-}
+}  // namespace
 
-void LogReader::count_damage(std::int64_t begin, std::int64_t end) {
-  if (end <= begin) return;
-  ++damages_;
-  bytes_lost_ += end - begin;
+LogReader::LogReader(const std::string& path) : file_(map_file(path)) {}
+
+LogReader::~LogReader() {
+  // The mapping was made for reading alone, which the signature of munmap does not know.
+  if (!file_.empty()) munmap(const_cast<std::uint8_t*>(file_.data()), file_.size());
 }
 
 std::optional<LoggedMessage> LogReader::next() {
-  const std::int64_t begin = position();
-  std::int64_t before = begin;
-  const lcm::LogEvent* event = file_->readNextEvent();
-  // After damage LCM looks for the next event's mark from where it stands: ask again while it gets on.
-  while (event == nullptr && position() > before && position() < size_) {
-    before = position();
-    event = file_->readNextEvent();
+  const std::size_t begin = position_;
+  std::optional<std::size_t> end = end_of_event(file_, position_);
+  while (!end && position_ < file_.size()) {
+    position_ = next_mark(file_, position_ + 1);
+    end = end_of_event(file_, position_);
   }
-  if (event == nullptr) {
-    count_damage(begin, size_);
-    return std::nullopt;
+  if (position_ > begin) {
+    ++damages_;
+    bytes_lost_ += static_cast<std::int64_t>(position_ - begin);
   }
-  const auto length = static_cast<std::int64_t>(event->channel.size()) + event->datalen + kEventHeader;
-  count_damage(begin, position() - length);
+  if (!end) return std::nullopt;
+  const auto channel_length = big_endian<std::uint32_t>(file_, position_ + kChannelLengthAt);
+  const auto time = big_endian<std::int64_t>(file_, position_ + kTimeAt);
+  const Bytes channel = file_.subspan(position_ + kHeader, channel_length);
+  const std::size_t data = position_ + kHeader + channel_length;
+  const Bytes bytes = file_.subspan(data, *end - data);
+  position_ = *end;
   ++messages_;
-  return LoggedMessage{
-      event->channel,
-      event->timestamp,
-      {static_cast<const std::uint8_t*>(event->data), static_cast<std::size_t>(event->datalen)}};
+  return LoggedMessage{{channel.begin(), channel.end()}, time, bytes, static_cast<std::int64_t>(data)};
 }
 
 }  // namespace lookout::lcmtypes

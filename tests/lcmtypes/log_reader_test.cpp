@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <lcm/lcm-cpp.hpp>
 
 #include "core/input_error.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -68,9 +69,30 @@ TEST(LogReader, StepsOverDamageInTheMiddle) {
     file.write("\0\0\0\0", 4);  // The fifth event's mark.
   }
   LogReader log(path);
-  EXPECT_GE(read_all(log),
-            kEvents - 2);  // The fifth, and at most the one before, whose end LCM checks by it.
-  EXPECT_GE(log.damages(), 1);
+  EXPECT_EQ(read_all(log), kEvents - 1);
+  EXPECT_EQ(log.bytes_lost(), kEventSize);
+}
+
+/// A log whose fifth event states another length of its data, written over bytes 24 to 27 of its header.
+void state_length(const std::string& path, std::uint32_t length) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(4 * kEventSize + 24);
+  for (int shift = 24; shift >= 0; shift -= 8)
+    file.put(static_cast<char>(length >> static_cast<unsigned>(shift)));
+}
+
+TEST(LogReader, LosesOneEventAloneByADamagedLength) {
+  // Beyond the file, beyond memory, over two events that follow, and short of its own data.
+  for (const std::uint32_t length : {0x7fffffffU, 0xffffffffU, 300U, 50U}) {
+    const tests::TemporaryDirectory directory;
+    const std::string path = write_log(directory);
+    state_length(path, length);
+    LogReader log(path);
+    int whole = 0;
+    while (const auto message = log.next()) whole += message->bytes.size() == 100 ? 1 : 0;
+    EXPECT_EQ(whole, kEvents - 1) << length;
+    EXPECT_EQ(log.damages(), 1) << length;
+  }
 }
 
 TEST(LogReader, ReadsAnEmptyLogAndRefusesNoFile) {
