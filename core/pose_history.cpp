@@ -2,6 +2,7 @@
 
 #include <mrpt/poses/CPose2DInterpolator.h>
 
+#include <algorithm>
 #include <chrono>
 
 namespace lookout::core {
@@ -24,11 +25,13 @@ Pose2 to_pose(const mrpt::math::TPose2D& pose) {
 
 struct PoseHistory::Impl {
   mrpt::poses::CPose2DInterpolator path;
+  std::int64_t memory = kMemory;
 };
 
-PoseHistory::PoseHistory() : impl_(std::make_unique<Impl>()) {
+PoseHistory::PoseHistory(std::int64_t max_bracket) : impl_(std::make_unique<Impl>()) {
   impl_->path.setInterpolationMethod(mrpt::poses::imLinear2Neig);
-  impl_->path.setMaxTimeInterpolation(std::chrono::microseconds(kMaxBracket));
+  impl_->path.setMaxTimeInterpolation(std::chrono::microseconds(max_bracket));
+  impl_->memory = std::max(kMemory, 2 * max_bracket);
 }
 
 PoseHistory::~PoseHistory() = default;
@@ -39,7 +42,7 @@ void PoseHistory::add(const VehicleState& state) {
   auto& path = impl_->path;
   const Pose2& pose = state.T_earth_body;
   path.insert(mrpt_time(state.utime), mrpt::math::TPose2D(pose.north, pose.east, wrap_to_pi(pose.heading)));
-  const std::int64_t oldest_kept = *newest() - kMemory;
+  const std::int64_t oldest_kept = *newest() - impl_->memory;
   while (utime_of(path.begin()->first) < oldest_kept) path.erase(path.begin());
 }
 
@@ -56,6 +59,12 @@ std::optional<Pose2> PoseHistory::at(std::int64_t utime) const {
 
 bool PoseHistory::reaches(std::int64_t utime) const {
   return newest() && *newest() >= utime;
+}
+
+std::optional<std::int64_t> PoseHistory::gap_at(std::int64_t utime) const {
+  const auto after = impl_->path.lower_bound(mrpt_time(utime));
+  if (after == impl_->path.end() || after == impl_->path.begin()) return std::nullopt;
+  return utime_of(after->first) - utime_of(std::prev(after)->first);
 }
 
 std::optional<std::int64_t> PoseHistory::newest() const {

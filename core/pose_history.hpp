@@ -17,14 +17,15 @@ struct VehicleState {
 };
 
 /// The recent vehicle states, of which the pose at a scan's own time is interpolated (linear in north, east
-/// and in the shorter turn of heading). Bounded memory: states older than `kMemory` before the newest are
-/// forgotten.
+/// and in the shorter turn of heading). They may come in any order. Bounded memory: states much older than
+/// the newest are forgotten.
 class PoseHistory {
  public:
   static constexpr std::int64_t kMaxBracket = 2'000'000;  ///< Longest gap that is interpolated across [us].
-  static constexpr std::int64_t kMemory = 10'000'000;     ///< How long states are kept [us].
+  static constexpr std::int64_t kMemory = 10'000'000;     ///< How long states are kept at least [us].
 
-  PoseHistory();
+  /// @param max_bracket longest gap that is interpolated across [us]; states are kept for twice as long.
+  explicit PoseHistory(std::int64_t max_bracket = kMaxBracket);
   ~PoseHistory();
   PoseHistory(PoseHistory&&) noexcept;
   PoseHistory& operator=(PoseHistory&&) noexcept;
@@ -33,11 +34,14 @@ class PoseHistory {
   void add(const VehicleState& state);
 
   /// Body pose in the earth frame at `utime`: a state at exactly that time, or one between two states at most
-  /// `kMaxBracket` apart; nothing otherwise.
+  /// `max_bracket` apart; nothing otherwise.
   std::optional<Pose2> at(std::int64_t utime) const;
 
   /// Whether a state at or after `utime` has been heard, so that waiting longer cannot help.
   bool reaches(std::int64_t utime) const;
+
+  /// Time between the states on either side of `utime` [us]; nothing where one side has none.
+  std::optional<std::int64_t> gap_at(std::int64_t utime) const;
 
   std::optional<std::int64_t> newest() const;  ///< Time of the newest state [us].
   std::size_t size() const;                    ///< How many states are kept.

@@ -6,7 +6,10 @@
 #include <limits>
 
 #include "core/csv.hpp"
+#include "core/geometry_file.hpp"
 #include "core/input_error.hpp"
+#include "core/recording_columns.hpp"
+#include "core/scans_file.hpp"
 #include "core/stamp_checks.hpp"
 #include "core/text_file.hpp"
 #include "core/yaml_reader.hpp"
@@ -16,7 +19,6 @@ namespace {
 
 using Columns = std::string_view;
 
-constexpr Columns kScansHeader = "time_s,bearing_rad,range_m,intensity";
 constexpr Columns kVehicleHeader = "time_s,north_m,east_m,heading_rad";
 constexpr Columns kTruthHeader = "time_s,id,north_m,east_m,north_velocity_mps,east_velocity_mps,visible";
 constexpr Columns kTracksHeader =
@@ -25,10 +27,6 @@ constexpr Columns kElementsHeader =
     "time_s,north_m,east_m,north_velocity_mps,east_velocity_mps,initial_time_s,initial_north_m,initial_east_"
     "m,"
     "score,existence,support";
-
-double number_or(const CsvTable& table, std::size_t row, Columns column, double fallback) {
-  return table.has(column) && !table.empty(row, column) ? table.number(row, column) : fallback;
-}
 
 /// Refuses an identity that stands in a time's list already: two times have been cut to one.
 template <class Items, class Id>
@@ -45,102 +43,99 @@ std::int32_t target_id(const CsvTable& table, std::size_t row) {
   return static_cast<std::int32_t>(id);
 }
 
-/// The list entry of `utime`: the last one where the time repeats, else a new one, which must be later.
+/// Lists with the clock of each.
 template <class Group>
-Group& group_at(std::vector<Group>& groups, const CsvTable& table, std::size_t row) {
-  const std::int64_t utime = table.time(row, "time_s");
-  if (!groups.empty() && utime < groups.back().utime) table.fail(row, "time_s", "goes back in time");
-  if (groups.empty() || utime > groups.back().utime) groups.emplace_back().utime = utime;
-  return groups.back();
-}
+struct Clocked {
+  std::vector<Group> groups;
+  std::vector<int> clocks;
 
-SonarScan empty_scan(const SonarParams& params) {
-  SonarScan scan;
-  scan.T_body_sonar = params.T_body_sonar;
-  scan.first_bearing = params.first_bearing;
-  scan.bearing_step = params.bearing_step;
-  scan.max_range = params.max_range;
-  scan.num_beams = params.num_beams;
-  return scan;
-}
-
-/// A column in radians, or the same in degrees under its other name.
-struct AngleColumn {
-  AngleColumn(const CsvTable& table, Columns in_radians, Columns in_degrees)
-      : name(table.has(in_degrees) && !table.has(in_radians) ? in_degrees : in_radians),
-        unit(name == in_degrees ? radians(1.0) : 1.0) {
-    if (!table.has(name))
-      throw InputError(table.path() + ":1: column `" + std::string(in_radians) + "` (or `" +
-                       std::string(in_degrees) + "`) is missing from the header");
+  /// Begins an entry at the row's time and clock, which must not be before the last one's.
+  Group& begin(const CsvTable& table, std::size_t row) {
+    clocks.push_back(clock_or_first(table, row, clocks.empty() ? 0 : clocks.back()));
+    groups.emplace_back().utime = table.time(row, "time_s");
+    return groups.back();
   }
-  Columns name;
-  double unit;
+  /// The entry of the row's time: the last one where the time repeats, else a new one.
+  Group& at(const CsvTable& table, std::size_t row) {
+    const bool same = !groups.empty() && is_of_last(table, row, groups.back().utime, clocks.back());
+    return same ? groups.back() : begin(table, row);
+  }
+  /// The lists of a file that may have but one clock.
+  std::vector<Group> of_one_clock(const std::string& path) && {
+    if (!clocks.empty() && clocks.back() != clocks.front())
+      throw InputError(path + ": holds several clocks (column `clock`); expected the rows of one of them");
+    return std::move(groups);
+  }
 };
 
-std::vector<SonarScan> read_scans(const std::string& path, const SonarParams& params,
-                                  std::vector<std::string>& notes) {
-  static constexpr std::array<Columns, 2> kRequired{"time_s", "range_m"};
-  const CsvTable table(path, kRequired);
-  const AngleColumn bearing(table, "bearing_rad", "bearing_deg");
-  ScanStamps stamps(table);
-  ReturnChecks returns(table, bearing.name);
-  std::vector<SonarScan> scans;
-  for (std::size_t row = 0; row < table.num_rows(); ++row) {
-    const std::size_t before = scans.size();
-    SonarScan& scan = group_at(scans, table, row);
-    if (scans.size() != before) {
-      const std::int64_t utime = scan.utime;
-      scan = empty_scan(params);
-      scan.utime = utime;
-      scan.sequence = static_cast<std::int64_t>(before);
-    }
-    const bool blank = table.empty(row, bearing.name) && table.empty(row, "range_m");
-    stamps.add(row, scan.utime, blank);
-    if (blank) continue;
-    const SonarReturn echo{bearing.unit * table.number_or_nan(row, bearing.name),
-                           table.number_or_nan(row, "range_m"), number_or(table, row, "intensity", 1.0)};
-    if (returns.is_echo(row, echo)) scan.returns.push_back(echo);
+/// The number of the clock of each of `size` entries.
+std::vector<int> clocks_of(std::size_t size, const std::vector<ClockStart>& starts,
+                           std::size_t ClockStart::*begin) {
+  std::vector<int> clocks(size, 0);
+  std::size_t clock = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    while (clock < starts.size() && starts[clock].*begin <= i) ++clock;
+    clocks[i] = static_cast<int>(clock);
   }
-  stamps.finish(notes);
-  returns.finish(notes);
-  return scans;
+  return clocks;
 }
 
-std::vector<VehicleState> read_vehicle(const std::string& path) {
+/// The number of the clock of each list, where a time that goes back begins another.
+template <class List>
+std::vector<int> clocks_of(const std::vector<List>& lists) {
+  std::vector<int> clocks(lists.size(), 0);
+  for (std::size_t i = 1; i < lists.size(); ++i)
+    clocks[i] = clocks[i - 1] + (lists[i].utime < lists[i - 1].utime ? 1 : 0);
+  return clocks;
+}
+
+/// Ends a row with its clock, where a file has several.
+void end_row(CsvWriter& csv, const std::vector<int>& clocks, std::size_t i) {
+  if (clocks.back() > 0) csv.integer(clocks[i]);
+  csv.end_row();
+}
+
+std::string with_clock(Columns header, const std::vector<int>& clocks) {
+  return std::string(header) + (!clocks.empty() && clocks.back() > 0 ? ",clock" : "");
+}
+
+std::size_t first_of(const std::vector<int>& clocks, int clock) {
+  return static_cast<std::size_t>(std::lower_bound(clocks.begin(), clocks.end(), clock) - clocks.begin());
+}
+
+Clocked<VehicleState> read_vehicle(const std::string& path) {
   static constexpr std::array<Columns, 3> kRequired{"time_s", "north_m", "east_m"};
   const CsvTable table(path, kRequired);
   const AngleColumn heading(table, "heading_rad", "heading_deg");
-  std::vector<VehicleState> states;
+  Clocked<VehicleState> states;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
-    const std::int64_t utime = table.time(row, "time_s");
-    if (!states.empty() && utime <= states.back().utime)
+    if (!states.groups.empty() && is_of_last(table, row, states.groups.back().utime, states.clocks.back()))
       table.fail(row, "time_s", "is not later than the row before");
-    states.push_back({utime,
-                      {table.number(row, "north_m"), table.number(row, "east_m"),
-                       heading.unit * table.number(row, heading.name)},
-                      {0.0, 0.0}});
+    states.begin(table, row).T_earth_body = {table.number(row, "north_m"), table.number(row, "east_m"),
+                                             heading.unit * table.number(row, heading.name)};
   }
   return states;
 }
 
-void write_scans(const std::string& path, const std::vector<SonarScan>& scans) {
-  CsvWriter csv(path, kScansHeader);
-  for (const auto& scan : scans) {
-    if (scan.returns.empty()) {
-      csv.time(scan.utime).blank().blank().blank().end_row();
-      continue;
-    }
-    for (const auto& echo : scan.returns)
-      csv.time(scan.utime).number(echo.bearing).number(echo.range).number(echo.intensity).end_row();
+/// A fixed sensor: the vehicle at the origin at the time of each scan.
+Clocked<VehicleState> at_the_origin(const ReadScans& read) {
+  Clocked<VehicleState> states;
+  for (std::size_t i = 0; i < read.scans.size(); ++i) {
+    const std::int64_t utime = read.scans[i].utime;
+    if (i > 0 && utime == states.groups.back().utime && read.clocks[i] == states.clocks.back()) continue;
+    states.groups.push_back({utime, {}, {0.0, 0.0}});
+    states.clocks.push_back(read.clocks[i]);
   }
-  csv.close();
+  return states;
 }
 
-void write_vehicle(const std::string& path, const std::vector<VehicleState>& states) {
-  CsvWriter csv(path, kVehicleHeader);
-  for (const auto& state : states) {
-    const Pose2& pose = state.T_earth_body;
-    csv.time(state.utime).number(pose.north).number(pose.east).number(pose.heading).end_row();
+void write_vehicle(const std::string& path, const std::vector<VehicleState>& states,
+                   const std::vector<int>& clocks) {
+  CsvWriter csv(path, with_clock(kVehicleHeader, clocks));
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const Pose2& pose = states[i].T_earth_body;
+    csv.time(states[i].utime).number(pose.north).number(pose.east).number(pose.heading);
+    end_row(csv, clocks, i);
   }
   csv.close();
 }
@@ -149,14 +144,12 @@ CsvWriter& write_state(CsvWriter& csv, const Eigen::Vector2d& position, const Ei
   return csv.number(position.x()).number(position.y()).number(velocity.x()).number(velocity.y());
 }
 
-}  // namespace
-
-std::vector<GroundTruth> read_truth(const std::string& path) {
+Clocked<GroundTruth> read_clocked_truth(const std::string& path) {
   static constexpr std::array<Columns, 4> kRequired{"time_s", "id", "north_m", "east_m"};
   const CsvTable table(path, kRequired);
-  std::vector<GroundTruth> truth;
+  Clocked<GroundTruth> truth;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
-    GroundTruth& group = group_at(truth, table, row);
+    GroundTruth& group = truth.at(table, row);
     TargetTruth target;
     target.id = target_id(table, row);
     require_new(group.targets, target.id, table, row);
@@ -169,54 +162,110 @@ std::vector<GroundTruth> read_truth(const std::string& path) {
   return truth;
 }
 
-void write_truth(const std::string& path, const std::vector<GroundTruth>& truth) {
-  CsvWriter csv(path, kTruthHeader);
-  for (const auto& group : truth) {
-    for (const auto& target : group.targets) {
-      csv.time(group.utime).integer(target.id);
-      write_state(csv, target.position, target.velocity).integer(target.visible ? 1 : 0).end_row();
+void write_truth(const std::string& path, const std::vector<GroundTruth>& truth,
+                 const std::vector<int>& clocks) {
+  CsvWriter csv(path, with_clock(kTruthHeader, clocks));
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    for (const auto& target : truth[i].targets) {
+      csv.time(truth[i].utime).integer(target.id);
+      write_state(csv, target.position, target.velocity).integer(target.visible ? 1 : 0);
+      end_row(csv, clocks, i);
     }
   }
   csv.close();
+}
+
+/// Where each clock after the first begins in the three lists.
+std::vector<ClockStart> starts_of(const ReadScans& scans, const std::vector<int>& states,
+                                  const std::vector<int>& truth) {
+  int last = 0;
+  for (const auto* clocks : {&scans.clocks, &states, &truth}) {
+    if (!clocks->empty()) last = std::max(last, clocks->back());
+  }
+  std::vector<ClockStart> starts;
+  for (int clock = 1; clock <= last; ++clock)
+    starts.push_back({first_of(scans.clocks, clock), first_of(states, clock), first_of(truth, clock)});
+  return starts;
+}
+
+/// @return the period that the file states; nothing where it does not, or there is no file.
+std::optional<double> read_params(const std::string& path, SonarParams params, Recording& recording) {
+  if (!std::filesystem::exists(path)) return std::nullopt;
+  const YamlMap map = YamlMap::load_file(path);
+  read_sonar_params(map, params);
+  recording.params = params;
+  return map.has("scan_period") ? std::optional(params.scan_period) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<GroundTruth> read_truth(const std::string& path) {
+  return read_clocked_truth(path).of_one_clock(path);
+}
+
+void write_truth(const std::string& path, const std::vector<GroundTruth>& truth) {
+  write_truth(path, truth, std::vector<int>(truth.size(), 0));
 }
 
 Recording read_recording(const std::string& directory, const SonarParams& defaults) {
   const std::filesystem::path folder(directory);
   if (!std::filesystem::is_directory(folder))
     throw InputError(directory + ": is not a directory; expected a recording with scans.csv and vehicle.csv");
+  const auto file = [&folder](const char* name) { return (folder / name).string(); };
+  const auto there = [&folder](const char* name) { return std::filesystem::exists(folder / name); };
   Recording recording;
-  SonarParams params = defaults;
-  std::optional<double> stated_period;
-  if (std::filesystem::exists(folder / "sonar.yaml")) {
-    const YamlMap map = YamlMap::load_file((folder / "sonar.yaml").string());
-    read_sonar_params(map, params);
-    if (map.has("scan_period")) stated_period = params.scan_period;
-    recording.params = params;
-  }
-  recording.scans = read_scans((folder / "scans.csv").string(), params, recording.notes);
-  recording.vehicle = read_vehicle((folder / "vehicle.csv").string());
-  if (std::filesystem::exists(folder / "truth.csv"))
-    recording.truth = read_truth((folder / "truth.csv").string());
+  const auto stated_period = read_params(file("sonar.yaml"), defaults, recording);
+  const ScanGeometry geometry = geometry_of(recording.params.value_or(defaults));
+  ReadScans read = read_scans(
+      file("scans.csv"),
+      there("geometry.csv") ? GeometryByTime::read(file("geometry.csv"), geometry) : GeometryByTime(geometry),
+      recording.notes);
+  recording.is_fixed = !there("vehicle.csv");
+  if (recording.is_fixed)
+    recording.notes.push_back(directory + ": no vehicle.csv: a fixed sensor at the origin");
+  auto states = recording.is_fixed ? at_the_origin(read) : read_vehicle(file("vehicle.csv"));
+  auto truth = there("truth.csv") ? read_clocked_truth(file("truth.csv")) : Clocked<GroundTruth>();
+  recording.new_clocks = starts_of(read, states.clocks, truth.clocks);
+  recording.scans = std::move(read.scans);
+  recording.vehicle = std::move(states.groups);
+  recording.truth = std::move(truth.groups);
   if (const auto note = coarse_stamps(recording.scans, stated_period))
-    recording.notes.push_back((folder / "scans.csv").string() + ": " + *note);
+    recording.notes.push_back(file("scans.csv") + ": " + *note);
   return recording;
 }
 
 void write_recording(const std::string& directory, const Recording& recording) {
   const std::filesystem::path folder(directory);
   std::filesystem::create_directories(folder);
-  write_scans((folder / "scans.csv").string(), recording.scans);
-  write_vehicle((folder / "vehicle.csv").string(), recording.vehicle);
-  if (!recording.truth.empty()) write_truth((folder / "truth.csv").string(), recording.truth);
-  if (recording.params) write_text_file((folder / "sonar.yaml").string(), to_yaml(*recording.params));
+  for (const char* name : {"vehicle.csv", "truth.csv", "sonar.yaml", "geometry.csv"})
+    std::filesystem::remove(folder / name);
+  const auto file = [&folder](const char* name) { return (folder / name).string(); };
+  const auto& starts = recording.new_clocks;
+  const auto scan_clocks = clocks_of(recording.scans.size(), starts, &ClockStart::scan);
+  write_scans(file("scans.csv"), recording.scans, scan_clocks);
+  if (!recording.is_fixed)
+    write_vehicle(file("vehicle.csv"), recording.vehicle,
+                  clocks_of(recording.vehicle.size(), starts, &ClockStart::state));
+  if (!recording.truth.empty())
+    write_truth(file("truth.csv"), recording.truth,
+                clocks_of(recording.truth.size(), starts, &ClockStart::truth));
+  if (!recording.params) return;
+  const std::string yaml = to_yaml(*recording.params);
+  write_text_file(file("sonar.yaml"), yaml);
+  // What the reader will take from sonar.yaml: degrees do not give every radian to the bit.
+  SonarParams told;
+  read_sonar_params(YamlMap::load_text(yaml, "sonar.yaml"), told);
+  write_geometry(file("geometry.csv"), recording.scans, scan_clocks, geometry_of(told));
 }
 
 void write_tracks(const std::string& path, const std::vector<TrackList>& lists) {
-  CsvWriter csv(path, kTracksHeader);
-  for (const auto& list : lists) {
-    for (const auto& track : list.tracks) {
-      csv.time(list.utime).integer(track.id).text(to_string(track.status));
-      write_state(csv, track.position(), track.velocity()).number(track.existence).end_row();
+  const std::vector<int> clocks = clocks_of(lists);
+  CsvWriter csv(path, with_clock(kTracksHeader, clocks));
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    for (const auto& track : lists[i].tracks) {
+      csv.time(lists[i].utime).integer(track.id).text(to_string(track.status));
+      write_state(csv, track.position(), track.velocity()).number(track.existence);
+      end_row(csv, clocks, i);
     }
   }
   csv.close();
@@ -225,9 +274,9 @@ void write_tracks(const std::string& path, const std::vector<TrackList>& lists) 
 std::vector<TrackList> read_tracks(const std::string& path) {
   static constexpr std::array<Columns, 4> kRequired{"time_s", "id", "north_m", "east_m"};
   const CsvTable table(path, kRequired);
-  std::vector<TrackList> lists;
+  Clocked<TrackList> lists;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
-    TrackList& list = group_at(lists, table, row);
+    TrackList& list = lists.at(table, row);
     Track track;
     track.id = table.integer(row, "id");
     require_new(list.tracks, track.id, table, row);
@@ -246,17 +295,19 @@ std::vector<TrackList> read_tracks(const std::string& path) {
     track.existence = number_or(table, row, "existence", 1.0);
     list.tracks.push_back(track);
   }
-  return lists;
+  return std::move(lists).of_one_clock(path);
 }
 
 void write_elements(const std::string& path, const std::vector<ElementList>& lists) {
-  CsvWriter csv(path, kElementsHeader);
-  for (const auto& list : lists) {
-    for (const auto& element : list.elements) {
-      csv.time(list.utime);
+  const std::vector<int> clocks = clocks_of(lists);
+  CsvWriter csv(path, with_clock(kElementsHeader, clocks));
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    for (const auto& element : lists[i].elements) {
+      csv.time(lists[i].utime);
       write_state(csv, element.position, element.velocity).time(element.initial_utime);
       csv.number(element.initial_position.x()).number(element.initial_position.y());
-      csv.number(element.score).number(element.existence).integer(element.support).end_row();
+      csv.number(element.score).number(element.existence).integer(element.support);
+      end_row(csv, clocks, i);
     }
   }
   csv.close();

@@ -14,23 +14,33 @@
 /// Recording directories and the CSV files of the command line: seconds, metres, radians, one header line.
 namespace lookout::core {
 
-/// What one sensor saw and where its vehicle was; the data of a recording directory.
-struct Recording {
-  std::vector<SonarScan> scans;       ///< In order of time; geometry from the params.
-  std::vector<VehicleState> vehicle;  ///< In order of time.
-  std::vector<GroundTruth> truth;     ///< Empty where there is no truth.csv.
-  std::optional<SonarParams> params;  ///< Of sonar.yaml, over `defaults`; nothing where there is none.
-  std::vector<std::string> notes;     ///< What a reader should be told of the files: a line each.
+/// Where in a recording's lists a further clock begins: the log was played twice, or the clock was set back.
+struct ClockStart {
+  std::size_t scan = 0;   ///< Index of its first scan.
+  std::size_t state = 0;  ///< Of its first vehicle state.
+  std::size_t truth = 0;  ///< Of its first list of truth.
 };
 
-/// Reads `scans.csv`, `vehicle.csv` and, where present, `truth.csv` and `sonar.yaml`. Angles may stand in
-/// degrees
+/// What a vehicle's sensors saw and where it was; the data of a recording directory.
+struct Recording {
+  std::vector<SonarScan> scans;        ///< In order of time within each clock; each with its geometry.
+  std::vector<VehicleState> vehicle;   ///< Likewise.
+  std::vector<GroundTruth> truth;      ///< Likewise; empty where there is no truth.csv.
+  std::optional<SonarParams> params;   ///< Of sonar.yaml, over `defaults`; nothing where there is none.
+  std::vector<std::string> notes;      ///< What a reader should be told of the files: a line each.
+  std::vector<ClockStart> new_clocks;  ///< After the first, which begins at 0; mostly none.
+  bool is_fixed = false;               ///< A sensor at the origin: no vehicle.csv.
+};
+
+/// Reads `scans.csv`, `vehicle.csv` and, where present, `truth.csv`, `sonar.yaml` and `geometry.csv`. Without
+/// vehicle.csv the sensor stands at the origin, which `notes` says. Angles may stand in degrees
 /// (`bearing_deg`, `heading_deg`); a bearing or range of nan or inf is a silence and counted in `notes`.
 /// @param defaults what sonar.yaml overrides, and the geometry of the scans.
 /// @throws InputError naming file, line and column.
 Recording read_recording(const std::string& directory, const SonarParams& defaults = {});
 
-/// Writes the same files (truth.csv and sonar.yaml only where there is something in them).
+/// Writes the same files: truth.csv, sonar.yaml and geometry.csv only where there is something in them, and
+/// no vehicle.csv for a fixed sensor. Files of another recording in the directory do not stay.
 void write_recording(const std::string& directory, const Recording& recording);
 
 /// Tracks at one scan time.
@@ -39,8 +49,8 @@ struct TrackList {
   std::vector<Track> tracks;  ///< In the order of the file; empty where nothing was tracked.
 };
 
-/// tracks.csv, one row a track and time. `read_tracks` needs time_s,id,north_m,east_m alone; groups rows by
-/// time.
+/// tracks.csv, one row a track and time; with a column `clock` where times go back. `read_tracks` needs
+/// time_s,id,north_m,east_m alone, groups rows by time, and refuses more than one clock.
 void write_tracks(const std::string& path, const std::vector<TrackList>& lists);
 /// Reads tracks.csv. @throws InputError naming file, line and column.
 std::vector<TrackList> read_tracks(const std::string& path);

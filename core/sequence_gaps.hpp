@@ -1,44 +1,54 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
 namespace lookout::core {
 
 /// Counts what is missing from a numbered stream. Going backwards, or farther ahead than any burst of loss,
-/// is a restart of the sender and not a loss; the same number again is neither.
+/// is a restart of the sender and not a loss; the same number again is neither. One number that fits neither
+/// those before nor those after it (a damaged counter, a late double) is taken back by the next.
 class SequenceGaps {
  public:
   static constexpr std::int64_t kLargestLoss =
       100'000;  ///< Numbers skipped at once that still count as lost.
 
-  /// How a number follows the one before: the next, the same, ahead with a loss, or begun anew.
+  /// What a number is to those before it.
   enum class Step { in_order, repeated, gap, restart };
 
-  /// Takes the next sequence number and says how it follows the one before; the first is in order.
-  Step add(std::int64_t sequence) {
-    const std::optional<std::int64_t> last = last_;
-    last_ = sequence;
-    if (!last) return Step::in_order;
-    if (sequence == *last) return Step::repeated;
-    // Unsigned: the difference of two numbers from outside may not fit a signed one.
-    const auto ahead = static_cast<std::uint64_t>(sequence) - static_cast<std::uint64_t>(*last);
-    if (sequence < *last || ahead > static_cast<std::uint64_t>(kLargestLoss)) {
-      ++restarts_;
-      return Step::restart;
-    }
-    lost_ += static_cast<std::int64_t>(ahead) - 1;
-    return ahead == 1 ? Step::in_order : Step::gap;
-  }
+  /// The number of the next message that was taken.
+  Step add(std::int64_t sequence);
 
-  std::int64_t lost() const { return lost_; }          ///< Numbers that were skipped.
-  std::int64_t restarts() const { return restarts_; }  ///< Times that the sender began again.
-  void forget() { last_.reset(); }                     ///< The next number is the first; the counts stay.
+  /// The number of a message that came but was refused for another reason: it is not lost.
+  void refused(std::int64_t sequence);
+
+  std::int64_t lost() const { return counts_.lost; }          ///< Numbers that were skipped.
+  std::int64_t restarts() const { return counts_.restarts; }  ///< Times that the sender began again.
+  void forget() { last_.reset(); }  ///< The next number is the first; the counts stay.
 
  private:
+  struct Counts {
+    std::int64_t lost = 0;
+    std::int64_t restarts = 0;
+  };
+  /// What held before a step that may have been a mistake.
+  struct Before {
+    std::int64_t last = 0;
+    Counts counts;
+  };
+
+  Step surprise(std::int64_t last, std::int64_t sequence);
+  std::int64_t refused_between(std::int64_t before, std::int64_t after) const;
+
+  static constexpr std::size_t kRemembered = 16;  ///< Refused numbers that a gap is compared with.
   std::optional<std::int64_t> last_;
-  std::int64_t lost_ = 0;
-  std::int64_t restarts_ = 0;
+  std::optional<Before> before_;
+  Counts counts_;
+  std::int64_t gap_first_ = 0, gap_end_ = 0;  ///< The newest gap: [first, end).
+  std::array<std::int64_t, kRemembered> refused_{};
+  std::size_t num_refused_ = 0;
 };
 
 }  // namespace lookout::core

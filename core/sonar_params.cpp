@@ -2,20 +2,13 @@
 
 #include <cmath>
 
+#include "core/beam_order.hpp"
 #include "core/csv.hpp"
+#include "core/sonar_limits.hpp"
 #include "core/yaml_reader.hpp"
 
 namespace lookout::core {
 namespace {
-
-// What a sensor can have. Beyond the upper ends the intake refuses every scan
-// (tracking/intake/ping_checks.hpp); beyond the lower ones the windows of scans and the grids of ranges grow
-// to gigabytes.
-constexpr Range kRanges{0.1, 50'000.0};        // [m]
-constexpr Range kRangeSigmas{0.005, 5'000.0};  // [m]
-constexpr Range kSpeeds{0.0, 1e4, true};       // [m/s]
-constexpr Range kPeriods{0.005, 3'600.0};      // [s]
-constexpr Range kMounts{-1'000.0, 1'000.0};    // [m]
 
 void read_degrees(const YamlMap& map, const std::string& key, double& value,
                   const Range& range = kAnyNumber) {
@@ -25,6 +18,29 @@ void read_degrees(const YamlMap& map, const std::string& key, double& value,
 void read_optional(const YamlMap& map, const std::string& key, std::optional<double>& value,
                    const Range& range) {
   if (const auto number = map.optional_number(key, range)) value = number;
+}
+
+using Limits = SonarLimits;
+constexpr Range kRanges{Limits::kMinRange, Limits::kMaxRange};
+constexpr Range kMounts{-Limits::kMaxMount, Limits::kMaxMount};
+constexpr Range kRangeSigmas{Limits::kMinRangeSigma, Limits::kMaxRangeSigma};
+constexpr Range kSpeeds{0.0, Limits::kMaxSpeed, true};
+constexpr Range kScanPeriods{Limits::kMinScanPeriod, Limits::kMaxScanPeriod};
+constexpr Range kPoseGaps{0.0, 600.0, true};
+constexpr Range kWaits{0.0, 60.0};
+
+void read_geometry(const YamlMap& map, SonarParams& params) {
+  params.num_beams = map.integer("num_beams", params.num_beams, {1, Limits::kMaxBeams});
+  read_degrees(map, "first_bearing_deg", params.first_bearing, {-360, 360});
+  read_degrees(map, "bearing_step_deg", params.bearing_step, {-360, 360});
+  if (params.bearing_step == 0.0) map.fail("bearing_step_deg", "is 0, expected another number");
+  params.max_range = map.number("max_range", params.max_range, kRanges);
+  params.T_body_sonar.north = map.number("mount_x", params.T_body_sonar.north, kMounts);
+  params.T_body_sonar.east = map.number("mount_y", params.T_body_sonar.east, kMounts);
+  read_degrees(map, "mount_heading_deg", params.T_body_sonar.heading, {-360, 360});
+  if (params.num_beams * std::abs(params.bearing_step) > 2.0 * std::numbers::pi * (1.0 + 1e-9))
+    map.fail("num_beams", "num_beams x bearing_step_deg is above 360 degrees");
+  count_from_port(params);
 }
 
 }  // namespace
@@ -41,13 +57,7 @@ int SonarParams::beam_of(double bearing) const {
 }
 
 void read_sonar_params(const YamlMap& map, SonarParams& params) {
-  params.num_beams = map.integer("num_beams", params.num_beams, {1, 30000});
-  read_degrees(map, "first_bearing_deg", params.first_bearing, {-360, 360});
-  read_degrees(map, "bearing_step_deg", params.bearing_step, {0, 360, true});
-  params.max_range = map.number("max_range", params.max_range, kRanges);
-  params.T_body_sonar.north = map.number("mount_x", params.T_body_sonar.north, kMounts);
-  params.T_body_sonar.east = map.number("mount_y", params.T_body_sonar.east, kMounts);
-  read_degrees(map, "mount_heading_deg", params.T_body_sonar.heading, {-360, 360});
+  read_geometry(map, params);
   params.range_sigma = map.number("range_sigma", params.range_sigma, kRangeSigmas);
   if (const auto sigma = map.optional_number("bearing_sigma_deg", {0, 90, true}))
     params.bearing_sigma = radians(*sigma);
@@ -55,8 +65,10 @@ void read_sonar_params(const YamlMap& map, SonarParams& params) {
   params.position_sigma = map.number("position_sigma", params.position_sigma, kNotNegative);
   params.resolution = map.number("resolution", params.resolution, kNotNegative);
   params.max_speed = map.number("max_speed", params.max_speed, kSpeeds);
-  params.scan_period = map.number("scan_period", params.scan_period, kPeriods);
+  params.scan_period = map.number("scan_period", params.scan_period, kScanPeriods);
   params.latency = map.number("latency", params.latency, {0, 60});
+  params.max_pose_gap = map.number("max_pose_gap_s", params.max_pose_gap, kPoseGaps);
+  params.max_wait = map.number("max_wait_s", params.max_wait, kWaits);
   read_optional(map, "miss_probability", params.miss_probability, kProbability);
   read_optional(map, "false_alarm_probability", params.false_alarm_probability, kProbability);
   read_optional(map, "clutter_per_scan", params.clutter_per_scan, kNotNegative);
@@ -65,8 +77,6 @@ void read_sonar_params(const YamlMap& map, SonarParams& params) {
   // The kind of clutter that is given last wins, so that a recording can override a configuration.
   if (map.has("clutter_per_scan")) params.false_alarm_probability.reset();
   if (map.has("false_alarm_probability")) params.clutter_per_scan.reset();
-  if (params.num_beams * params.bearing_step > 2.0 * std::numbers::pi * (1.0 + 1e-9))
-    map.fail("num_beams", "num_beams x bearing_step_deg is above 360 degrees");
   map.finish();
 }
 
@@ -94,6 +104,9 @@ std::string to_yaml(const SonarParams& params) {
   line("max_speed", params.max_speed);
   line("scan_period", params.scan_period);
   if (params.latency > 0.0) line("latency", params.latency);
+  const SonarParams defaults;
+  if (params.max_pose_gap != defaults.max_pose_gap) line("max_pose_gap_s", params.max_pose_gap);
+  if (params.max_wait != defaults.max_wait) line("max_wait_s", params.max_wait);
   if (params.miss_probability) line("miss_probability", *params.miss_probability);
   if (params.false_alarm_probability) line("false_alarm_probability", *params.false_alarm_probability);
   if (params.clutter_per_scan) line("clutter_per_scan", *params.clutter_per_scan);

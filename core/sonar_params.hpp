@@ -29,6 +29,9 @@ struct SonarParams {
   /// Age of the returns at the time of their scan [s], in [0, 60]: of a sensor that stamps a scan when it
   /// hands it over. The pose of the scan is that of its time: own motion is the driver's to make up for.
   double latency = 0.0;
+  /// Vehicle states farther apart than this do not tell where a scan between them was taken [s], in (0, 600].
+  double max_pose_gap = 2.0;
+  double max_wait = 1.0;  ///< How long a scan waits for late vehicle states and late scans [s], in [0, 60].
   std::optional<double> miss_probability;         ///< P_M of a target in view, in [0, 1]; absent: estimated.
   std::optional<double> false_alarm_probability;  ///< P_F of an empty beam, in [0, 1]; absent: estimated.
   std::optional<double>

@@ -35,8 +35,8 @@ bool lost_digits(const std::string& text) {
 
 }  // namespace
 
-void ScanStamps::add(std::size_t row, std::int64_t utime, bool blank) {
-  if (times_.empty() || times_.back() != utime) {
+void ScanStamps::add(std::size_t row, std::int64_t utime, bool blank, bool new_scan) {
+  if (new_scan) {
     times_.push_back(utime);
     first_row_.push_back(row);
     rows_in_scan_ = 0;

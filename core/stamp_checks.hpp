@@ -24,8 +24,9 @@ class ScanStamps {
   explicit ScanStamps(const CsvTable& table) : table_(table) {}
 
   /// @param blank a row that says: a scan without returns.
+  /// @param new_scan the first row of a scan: of another time, sensor or clock than the row before.
   /// @throws InputError where a scan without returns shares its time with another row, or above kMostReturns.
-  void add(std::size_t row, std::int64_t utime, bool blank);
+  void add(std::size_t row, std::int64_t utime, bool blank, bool new_scan);
 
   /// @throws InputError where all times are as those of a 32-bit float, or are stated to no more than seconds
   /// with an exponent. Adds what is only likely to `notes`.

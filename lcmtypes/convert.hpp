@@ -25,8 +25,9 @@
 #include "core/track.hpp"
 
 /// Wire <-> core. `to_core` trusts nothing: counts must agree with sizes, floats be finite, booleans 0 or 1,
-/// codes known, times within core::kMaxUtime; what fails is refused with its reason. `to_wire` keeps every
-/// message below one datagram.
+/// codes known, times within core::kMaxUtime; what fails is refused with its reason. The returns of a scan
+/// alone may hold anything: NaN and infinity are silences, which the intake counts. Beams come out counted
+/// from port. `to_wire` keeps every message below one datagram.
 namespace lookout::lcmtypes {
 
 inline constexpr std::size_t kMaxListed = 300;    ///< Tracks or elements in one message.

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/beam_order.hpp"
 #include "lcmtypes/convert.hpp"
 #include "lcmtypes/wire_checks.hpp"
 
@@ -68,10 +69,9 @@ Converted<core::SonarScan> to_core(const sonar_scan_t& wire) {
     return {{}, "scan: number of returns disagrees with their lists"};
   if (wire.bearing.size() > kMaxReturns) return {{}, "scan: too many returns"};
   if (!header_finite(wire) || !std::isfinite(wire.max_range)) return {{}, "scan: header not finite"};
-  if (!all_finite(wire.bearing) || !all_finite(wire.range) || !all_finite(wire.intensity))
-    return {{}, "scan: returns not finite"};
   core::SonarScan scan;
   copy_header_to_core(wire, scan);
+  core::count_from_port(scan);
   scan.max_range = wire.max_range;
   scan.returns.reserve(wire.bearing.size());
   for (std::size_t i = 0; i < wire.bearing.size(); ++i)

@@ -3,10 +3,20 @@
 #include <stdexcept>
 
 namespace lookout::lcmtypes {
+namespace {
+
+/// Sources of one channel that are told apart; more of them are damaged messages.
+constexpr std::size_t kMaxSources = 64;
+
+}  // namespace
+
+void Inbox::Entry::count_gap(std::int32_t source, std::int64_t sequence) {
+  if (gaps.size() < kMaxSources || gaps.contains(source)) gaps[source].add(sequence);
+}
 
 void Inbox::add(const std::string& channel,
                 std::function<std::string_view(const void*, std::size_t, Entry&)> take) {
-  if (!entries_.try_emplace(channel, Entry{std::move(take), {}, {}}).second)
+  if (!entries_.try_emplace(channel, Entry{std::move(take)}).second)
     throw std::invalid_argument("channel " + channel + " has a handler already");
 }
 
@@ -24,7 +34,9 @@ void Inbox::take(const std::string& channel, const void* data, std::size_t size)
   ++entry.counts.received;
   try {
     const std::string_view refusal = entry.take(data, size, entry);
-    if (!refusal.empty()) note(channel, refusal);
+    if (refusal.empty()) return;
+    ++entry.refusals[refusal];
+    note(channel, refusal);
   } catch (const std::exception& error) {
     ++entry.counts.handler_errors;
     note(channel, error.what());
@@ -46,8 +58,10 @@ ChannelCounts Inbox::counts(const std::string& channel) const {
   const auto found = entries_.find(channel);
   if (found == entries_.end()) return {};
   ChannelCounts counts = found->second.counts;
-  counts.lost = found->second.gaps.lost();
-  counts.restarts = found->second.gaps.restarts();
+  for (const auto& [source, gaps] : found->second.gaps) {
+    counts.lost += gaps.lost();
+    counts.restarts += gaps.restarts();
+  }
   return counts;
 }
 
@@ -55,6 +69,14 @@ std::int64_t Inbox::bad_messages() const {
   std::int64_t sum = 0;
   for (const auto& [channel, entry] : entries_) sum += entry.counts.undecodable + entry.counts.refused;
   return sum;
+}
+
+std::vector<Refusal> Inbox::refusals() const {
+  std::vector<Refusal> all;
+  for (const auto& [channel, entry] : entries_) {
+    for (const auto& [reason, count] : entry.refusals) all.push_back({channel, reason, count});
+  }
+  return all;
 }
 
 }  // namespace lookout::lcmtypes

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/sequence_gaps.hpp"
 #include "lcmtypes/convert.hpp"
@@ -20,9 +21,25 @@ struct ChannelCounts {
   std::int64_t undecodable = 0;  ///< Of another type, truncated, with trailing bytes, or with absurd counts.
   std::int64_t refused = 0;      ///< Decoded but damaged: `to_core` gave no value.
   std::int64_t handler_errors = 0;  ///< The handler threw.
-  std::int64_t lost = 0;            ///< Skipped sequence numbers, on the link or in LCM's full queue.
+  std::int64_t lost = 0;            ///< Skipped sequence numbers of good messages, by their source.
   std::int64_t restarts = 0;        ///< Sequence numbers that went backwards.
 };
+
+/// Messages of one channel that were refused for one reason.
+struct Refusal {
+  std::string channel;      ///< Whole name, with its prefix.
+  std::string_view reason;  ///< A literal: valid for ever.
+  std::int64_t count = 0;   ///< Of messages.
+};
+
+/// Who numbered a message: several sensors and nodes share a channel. 0 where the type does not say.
+template <class Wire>
+std::int32_t source_of(const Wire& wire) {
+  if constexpr (requires { wire.sensor_id; }) return wire.sensor_id;
+  if constexpr (requires { wire.source_id; }) return wire.source_id;
+  if constexpr (requires { wire.node_id; }) return wire.node_id;
+  return 0;
+}
 
 /// Decodes a message of `size` bytes, all of them. Nothing where they are not exactly one message of the
 /// type.
@@ -48,9 +65,9 @@ class Inbox {
     add(channel, [handler = std::move(handler)](const void* data, std::size_t size, Entry& entry) {
       const auto wire = decode<Wire>(data, size);
       if (!wire) return ++entry.counts.undecodable, std::string_view("not one whole message of its type");
-      if constexpr (requires { wire->sequence; }) entry.gaps.add(wire->sequence);
       auto converted = to_core(*wire);
       if (!converted.value) return ++entry.counts.refused, converted.refusal;
+      if constexpr (requires { wire->sequence; }) entry.count_gap(source_of(*wire), wire->sequence);
       handler(*std::move(converted.value));
       return std::string_view();
     });
@@ -64,13 +81,17 @@ class Inbox {
 
   ChannelCounts counts(const std::string& channel) const;  ///< All 0 for a channel without a handler.
   std::int64_t bad_messages() const;                       ///< Undecodable and refused, over all channels.
+  std::vector<Refusal> refusals() const;                   ///< What those were, a channel and reason each.
   const std::string& last_error() const { return last_error_; }  ///< Channel and reason; empty for none.
 
  private:
   struct Entry {
     std::function<std::string_view(const void*, std::size_t, Entry&)> take;
-    ChannelCounts counts;
-    core::SequenceGaps gaps;
+    ChannelCounts counts = {};
+    std::map<std::int32_t, core::SequenceGaps> gaps = {};
+    std::map<std::string_view, std::int64_t> refusals = {};  ///< By reason, which is a literal.
+
+    void count_gap(std::int32_t source, std::int64_t sequence);
   };
   void add(const std::string& channel,
            std::function<std::string_view(const void*, std::size_t, Entry&)> take);

@@ -130,7 +130,7 @@ void declare_score(CLI::App& app, Options& options) {
 }
 
 void declare_replay(CLI::App& app, Options& options) {
-  app.add_option("INPUT", options.inputs, "Recording directory or LCM log")->expected(1)->required();
+  app.add_option("INPUT", options.inputs, "Recording directory, or LCM logs in order")->expected(1, -1)->required();
   add_out(app, options);
   add_seed(app, options);
   add_tracking(app, options);

@@ -58,6 +58,7 @@ class TrackingChain {
   void add(const core::VehicleState& state) { intake_.add(state); }
   void add(core::SonarScan scan) { intake_.add(std::move(scan)); }
   void finish();  ///< There is no more data: gives what still waits.
+  void start_new_clock() { intake_.start_new_clock(); }  ///< What comes now is on another clock.
 
   const IntakeCounts& counts() const { return intake_.counts(); }
   std::int64_t newest_utime() const { return intake_.newest_utime(); }

@@ -47,6 +47,22 @@ TEST(PoseHistory, RefusesABracketAboveTwoSeconds) {
   EXPECT_FALSE(history.at(microseconds(3.0)));
 }
 
+TEST(PoseHistory, TakesWiderBracketsWhereTold) {
+  PoseHistory history(20'000'000);
+  history.add(state_at(0.0, {0, 0, 0}));
+  history.add(state_at(20.0, {20, 0, 0}));
+  ASSERT_TRUE(history.at(microseconds(5.0)));
+  EXPECT_NEAR(history.at(microseconds(5.0))->north, 5.0, 1e-9);
+  EXPECT_EQ(history.gap_at(microseconds(5.0)), microseconds(20.0));
+  EXPECT_FALSE(history.gap_at(microseconds(21.0)));
+}
+
+TEST(PoseHistory, TakesStatesThatCrossOneAnother) {
+  PoseHistory history;
+  for (const double time : {0.0, 0.2, 0.1}) history.add(state_at(time, {time * time, 0, 0}));
+  EXPECT_NEAR(history.at(microseconds(0.15))->north, 0.025, 1e-9);  // Between .01 and .04.
+}
+
 TEST(PoseHistory, MemoryIsBounded) {
   PoseHistory history;
   for (int i = 0; i < 10000; ++i) history.add(state_at(0.1 * i, {0, 0, 0}));

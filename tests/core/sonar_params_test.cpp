@@ -58,7 +58,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
 }
 
 TEST(SonarParams, RefusesWhatNoSensorHasWithLineAndKey) {
-  for (const std::string text : {"max_range: 60000", "max_range: 1e300", "range_sigma: 0.001",
+  for (const std::string text : {"max_range: 300000", "max_range: 1e300", "range_sigma: 0.001",
                                  "scan_period: 1e-5", "scan_period: 1e9", "mount_x: 1e5"}) {
     SonarParams params;
     EXPECT_THROW(read_sonar_params(YamlMap::load_text(text, "t"), params), InputError) << text;

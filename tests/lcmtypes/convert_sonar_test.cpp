@@ -28,6 +28,17 @@ TEST(ConvertSonar, ScanThereAndBack) {
   EXPECT_EQ(back->returns[1].intensity, 0.5);
 }
 
+TEST(ConvertSonar, BeamsFromStarboardAreTheSameFanFromPort) {
+  auto wire = to_wire(example_scan());  // 90 beams
+  wire.first_bearing = 0.5;
+  wire.bearing_step = -0.01;
+  const auto scan = to_core(wire).value;
+  ASSERT_TRUE(scan);
+  EXPECT_DOUBLE_EQ(scan->first_bearing, 0.5 - 89 * 0.01);
+  EXPECT_EQ(scan->bearing_step, 0.01);
+  EXPECT_EQ(scan->returns[1].bearing, 0.25);  // Returns say where they are.
+}
+
 TEST(ConvertSonar, ImageThereAndBack) {
   const auto back = to_core(to_wire(example_image())).value;
   ASSERT_TRUE(back);

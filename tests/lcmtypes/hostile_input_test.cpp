@@ -102,17 +102,33 @@ TEST(HostileScan, AbsurdCountsAreRejected) {
   EXPECT_TRUE(decode<sonar_scan_t>(bytes.data(), bytes.size()));
 }
 
-TEST(HostileScan, NinetyReturnsAllNanAreRefused) {
+TEST(HostileScan, NinetyReturnsAllNanAreAScanOfSilences) {
   auto wire = to_wire(tests::example_scan());
   wire.num_returns = 90;
   wire.bearing.assign(90, std::numeric_limits<double>::quiet_NaN());
   wire.range = wire.intensity = wire.bearing;
   const auto bytes = tests::encoded(wire);
   Inbox inbox;
-  inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) { FAIL() << "handed on"; });
+  std::size_t returns = 0;
+  inbox.on<sonar_scan_t>("SONAR_SCAN", [&](const core::SonarScan& scan) { returns = scan.returns.size(); });
   inbox.take("SONAR_SCAN", bytes.data(), bytes.size());
-  EXPECT_EQ(inbox.counts("SONAR_SCAN").refused, 1);
-  EXPECT_EQ(inbox.last_error(), "SONAR_SCAN: scan: returns not finite");
+  EXPECT_EQ(returns, 90u);  // For the intake to count.
+  EXPECT_EQ(inbox.counts("SONAR_SCAN").refused, 0);
+}
+
+TEST(HostileScan, AHeaderThatIsNotFiniteIsRefusedByReason) {
+  auto wire = to_wire(tests::example_scan());
+  wire.max_range = std::numeric_limits<double>::infinity();
+  const auto bytes = tests::encoded(wire);
+  Inbox inbox;
+  inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) { FAIL() << "handed on"; });
+  for (int i = 0; i < 3; ++i) inbox.take("SONAR_SCAN", bytes.data(), bytes.size());
+  inbox.take("SONAR_SCAN", bytes.data(), 10);
+  const auto refusals = inbox.refusals();
+  ASSERT_EQ(refusals.size(), 2u);
+  EXPECT_EQ(refusals[1].reason, "scan: header not finite");
+  EXPECT_EQ(refusals[1].count, 3);
+  EXPECT_EQ(refusals[0].count, 1);
 }
 
 }  // namespace

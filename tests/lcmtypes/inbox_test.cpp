@@ -34,6 +34,22 @@ TEST(Inbox, CountsGapsAndRestarts) {
   EXPECT_EQ(inbox.counts("SONAR_SCAN").restarts, 1);
 }
 
+TEST(Inbox, CountsGapsOfEachSensorAlone) {
+  Inbox inbox;
+  inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) {});
+  for (std::int64_t sequence = 0; sequence < 5; ++sequence) {
+    for (const int sensor : {1, 2}) {
+      auto scan = tests::example_scan();
+      scan.sensor_id = sensor;
+      scan.sequence = sequence + 1000 * sensor;
+      const auto bytes = tests::encoded(to_wire(scan));
+      inbox.take("SONAR_SCAN", bytes.data(), bytes.size());
+    }
+  }
+  EXPECT_EQ(inbox.counts("SONAR_SCAN").lost, 0);
+  EXPECT_EQ(inbox.counts("SONAR_SCAN").restarts, 0);
+}
+
 TEST(Inbox, LetsNoExceptionOutOfAHandler) {
   Inbox inbox;
   inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) { throw std::runtime_error("disk full"); });

@@ -82,7 +82,7 @@ TEST_F(TrackingChainTest, GivesTracksForEachScanAndUsesNoIdentityTwiceOnANewCloc
   for (int i = 0; i < 6; ++i) feed(*online, i * kSecond);
   std::vector<std::int64_t> ids;
   for (const auto& given : given_) ids.push_back(given.id);
-  EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2, 3, 4, 5}));
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));  // None twice.
   EXPECT_EQ(online->counts().resets, 1);
 }
 
@@ -99,8 +99,9 @@ TEST_F(TrackingChainTest, WithALagGivesWhatWaitsBeforeANewClock) {
   const auto delayed = chain(2 * kSecond);
   for (int i = 0; i < 3; ++i) feed(*delayed, kHour + i * kSecond);
   for (int i = 0; i < 5; ++i) feed(*delayed, i * kSecond);
-  EXPECT_EQ(given_.size(), 3u);
-  EXPECT_EQ(given_.back().utime, kHour + 2 * kSecond);
+  ASSERT_EQ(given_.size(), 6u);  // The three of the old clock, and those of the new one that are due.
+  EXPECT_EQ(given_[2].utime, kHour + 2 * kSecond);
+  EXPECT_EQ(given_[3], (Given{0, 6, 0.0}));  // As its tracker knew two scans later: its third, after 1 to 3.
 }
 
 TEST_F(TrackingChainTest, RefusesALagThatNobodyCanServe) {

@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
-#include "core/field_of_view.hpp"
+#include "core/input_error.hpp"
 #include "lcmtypes/channels.hpp"
 #include "lcmtypes/inbox.hpp"
 #include "lcmtypes/log_reader.hpp"
+#include "tools/cli/recorder.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -20,72 +21,113 @@ bool same(const core::TrackList& a, const core::TrackList& b) {
                     [](const core::Track& x, const core::Track& y) { return same(x, y); });
 }
 
-/// Takes every message of the log; scans and images reach the chain by what `inbox` holds for them already.
+/// Where the messages of a log go: the chain that tracks, and the recorder beside it.
 template <class Chain>
-void take_log(const std::string& path, const lcmtypes::Channels& channels, lcmtypes::Inbox& inbox,
-              Chain& chain, TrackedRun& run, LogFigures& figures) {
-  inbox.on<vehicle_state_t>(channels.vehicle_state(), [&](const core::VehicleState& state) {
-    run.recording.vehicle.push_back(state);
-    chain.add(state);
-  });
-  inbox.on<ground_truth_t>(channels.ground_truth(),
-                           [&](core::GroundTruth truth) { run.recording.truth.push_back(std::move(truth)); });
-  inbox.on<track_list_t>(channels.tracks(), [&](lcmtypes::KeyedTracks tracks) {
-    figures.tracks.push_back({tracks.key.utime, std::move(tracks.tracks)});
-  });
-  lcmtypes::LogReader log(path);
-  while (const auto message = log.next())
-    inbox.take(message->channel, message->bytes.data(), message->bytes.size());
-  chain.finish();
-  figures.messages = log.messages();
-  figures.damages = log.damages();
-  figures.bytes_lost = log.bytes_lost();
-  figures.bad_messages = inbox.bad_messages();
-  run.output = chain.output();
-  run.counts = chain.counts();
-}
+class LogReplay {
+ public:
+  LogReplay(const lcmtypes::Channels& channels, Chain& chain, const core::SonarParams& sensor,
+            LogFigures& figures)
+      : channels_(channels), chain_(chain), recorder_(sensor), figures_(figures) {
+    figures_.is_fixed = !figures_.survey.channels.contains(channels_.vehicle_state());
+    inbox_.on<vehicle_state_t>(channels_.vehicle_state(),
+                               [this](const core::VehicleState& state) { add(state); });
+    inbox_.on<ground_truth_t>(channels_.ground_truth(),
+                              [this](core::GroundTruth truth) { recorder_.add(std::move(truth)); });
+    inbox_.on<track_list_t>(channels_.tracks(), [this](lcmtypes::KeyedTracks tracks) {
+      figures_.tracks.push_back({tracks.key.utime, std::move(tracks.tracks)});
+    });
+  }
+
+  /// Scans are kept, and tracked where `Chain` does that.
+  void take_scans(bool are_tracked) {
+    inbox_.on<sonar_scan_t>(channels_.sonar_scan(), [this, are_tracked](const core::SonarScan& scan) {
+      if (are_tracked) ++figures_.pings;
+      if (figures_.is_fixed) add(core::VehicleState{scan.utime, {}, {0.0, 0.0}});
+      if constexpr (requires { chain_.add(scan); }) chain_.add(scan);
+      recorder_.add(scan);
+    });
+  }
+  void take_images() {
+    inbox_.on<sonar_image_t>(channels_.sonar_image(), [this](const core::SonarImage& image) {
+      ++figures_.pings;
+      if (figures_.is_fixed) add(core::VehicleState{image.utime, {}, {0.0, 0.0}});
+      if constexpr (requires { chain_.add(image); }) chain_.add(image);
+    });
+  }
+
+  TrackedRun run(const std::vector<std::string>& files) {
+    for (const auto& file : files) {
+      lcmtypes::LogReader log(file);
+      while (const auto message = log.next())
+        inbox_.take(message->channel, message->bytes.data(), message->bytes.size());
+    }
+    chain_.finish();
+    TrackedRun run{recorder_.finish(), chain_.output(), chain_.counts()};
+    run.recording.is_fixed = figures_.is_fixed;
+    figures_.refusals = inbox_.refusals();
+    figures_.refused_truth = recorder_.refused_truth();
+    return run;
+  }
+
+ private:
+  void add(const core::VehicleState& state) {
+    chain_.add(state);
+    recorder_.add(state);
+  }
+
+  const lcmtypes::Channels& channels_;
+  Chain& chain_;
+  Recorder recorder_;
+  LogFigures& figures_;
+  lcmtypes::Inbox inbox_;
+};
 
 /// Images are tracked; scans beside them are kept in the recording alone.
-void replay_images(const std::string& path, const lcmtypes::Channels& channels,
-                   const Configuration& configuration, TrackedRun& run, LogFigures& figures) {
+TrackedRun replay_images(const std::vector<std::string>& files, const lcmtypes::Channels& channels,
+                         const Configuration& configuration, LogFigures& figures) {
   RecordedImageChain chain(configuration);
-  lcmtypes::Inbox inbox;
-  inbox.on<sonar_scan_t>(channels.sonar_scan(),
-                         [&](const core::SonarScan& scan) { run.recording.scans.push_back(scan); });
-  inbox.on<sonar_image_t>(channels.sonar_image(), [&](const core::SonarImage& image) {
-    ++figures.pings;
-    chain.add(image);
-  });
-  take_log(path, channels, inbox, chain, run, figures);
+  LogReplay replay(channels, chain, configuration.sensor, figures);
+  replay.take_scans(false);
+  replay.take_images();
+  return replay.run(files);
 }
 
-void replay_scans(const std::string& path, const lcmtypes::Channels& channels,
-                  const Configuration& configuration, std::uint64_t seed, TrackedRun& run,
-                  LogFigures& figures) {
+TrackedRun replay_scans(const std::vector<std::string>& files, const lcmtypes::Channels& channels,
+                        const Configuration& configuration, std::uint64_t seed, LogFigures& figures) {
   RecordedChain chain(configuration, seed);
-  lcmtypes::Inbox inbox;
-  inbox.on<sonar_scan_t>(channels.sonar_scan(), [&](const core::SonarScan& scan) {
-    ++figures.pings;
-    run.recording.scans.push_back(scan);
-    chain.add(scan);
-  });
-  take_log(path, channels, inbox, chain, run, figures);
+  LogReplay replay(channels, chain, configuration.sensor, figures);
+  replay.take_scans(true);
+  return replay.run(files);
+}
+
+/// @throws core::InputError where nothing came on the channel of the pings: what was refused there, else
+/// which channels there are.
+void require_pings(const std::string& file, const std::string& channel, const LogFigures& figures) {
+  if (figures.pings > 0) return;
+  std::string reasons;
+  for (const auto& refusal : figures.refusals) {
+    if (refusal.channel == channel)
+      reasons +=
+          (reasons.empty() ? "" : ", ") + std::to_string(refusal.count) + " x " + std::string(refusal.reason);
+  }
+  const auto found = figures.survey.channels.find(channel);
+  if (found != figures.survey.channels.end())
+    throw core::InputError(file + ": none of the " + std::to_string(found->second) + " messages on " +
+                           channel + " could be used: " + reasons);
+  throw core::InputError(file + ": holds no " + channel + "; its channels: " + figures.survey.names() +
+                         " (--channel-prefix names the vehicle)");
 }
 
 }  // namespace
 
-TrackedRun replay_log(const std::string& path, const std::string& channel_prefix,
+TrackedRun replay_log(const std::vector<std::string>& files, const std::string& channel_prefix,
                       const Configuration& configuration, std::uint64_t seed, LogFigures& figures) {
   const lcmtypes::Channels channels(channel_prefix);
-  TrackedRun run;
-  if (tracks_images(configuration))
-    replay_images(path, channels, configuration, run, figures);
-  else
-    replay_scans(path, channels, configuration, seed, run, figures);
-  keep_in_order(run.recording.vehicle);
-  run.recording.params = run.recording.scans.empty()
-                             ? configuration.sensor
-                             : core::with_geometry_of(run.recording.scans.front(), configuration.sensor);
+  figures.survey = survey_log(files);
+  const bool images = tracks_images(configuration);
+  TrackedRun run = images ? replay_images(files, channels, configuration, figures)
+                          : replay_scans(files, channels, configuration, seed, figures);
+  require_pings(files.front(), images ? channels.sonar_image() : channels.sonar_scan(), figures);
   return run;
 }
 

@@ -4,24 +4,27 @@
 #include <string>
 #include <vector>
 
+#include "lcmtypes/inbox.hpp"
+#include "tools/cli/log_survey.hpp"
 #include "tools/cli/tracked_run.hpp"
 
 namespace lookout::tools {
 
 /// What an LCM log held.
 struct LogFigures {
-  std::int64_t messages = 0;            ///< That could be read, of all channels.
-  std::int64_t damages = 0;             ///< Stretches that could not.
-  std::int64_t bytes_lost = 0;          ///< In them.
-  std::int64_t bad_messages = 0;        ///< On our channels, undecodable or refused.
-  std::int64_t pings = 0;               ///< Scans, or images where these are tracked.
-  std::vector<core::TrackList> tracks;  ///< The TRACKS in the log.
+  LogSurvey survey;
+  std::vector<lcmtypes::Refusal> refusals;  ///< Messages on our channels that were not taken, by reason.
+  std::int64_t pings = 0;                   ///< Scans, or images where these are tracked.
+  std::int64_t refused_truth = 0;           ///< Lists of a time that had one already.
+  bool is_fixed = false;                    ///< No vehicle state in it: a fixed sensor at the origin.
+  std::vector<core::TrackList> tracks;      ///< The TRACKS in the log.
 };
 
-/// Takes the messages of the log through the chain in the order of the log, as a tracker live would have: its
-/// scans, or its images where the configuration's estimator tracks these.
-/// @throws core::InputError where the file is no readable log.
-TrackedRun replay_log(const std::string& path, const std::string& channel_prefix,
+/// Takes the messages of a log's files through the chain in the order of the log, as a tracker live would
+/// have: its scans, or its images where the configuration's estimator tracks these.
+/// @throws core::InputError where a file is no readable log, or holds nothing to track: what is there, and
+/// why it was refused.
+TrackedRun replay_log(const std::vector<std::string>& files, const std::string& channel_prefix,
                       const Configuration& configuration, std::uint64_t seed, LogFigures& figures);
 
 /// The first time [us] at which two runs' tracks differ in anything that tracks.csv holds; nothing where they

@@ -71,14 +71,6 @@ void write_summary(const std::string& path, const TrackedRun& run, const Configu
 
 }  // namespace
 
-void keep_in_order(std::vector<core::VehicleState>& vehicle) {
-  std::vector<core::VehicleState> kept;
-  for (const auto& state : vehicle) {
-    if (kept.empty() || state.utime > kept.back().utime) kept.push_back(state);
-  }
-  vehicle = std::move(kept);
-}
-
 void write_tracked_run(const std::string& directory, const TrackedRun& run,
                        const Configuration& configuration, const Options& options) {
   core::write_tracks(directory + "/tracks.csv", run.output.tracks);

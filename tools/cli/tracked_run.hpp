@@ -17,10 +17,6 @@ struct TrackedRun {
   tracking::IntakeCounts counts;
 };
 
-/// Keeps the vehicle states that the chain believes, as a recording holds them: each later than all before
-/// it.
-void keep_in_order(std::vector<core::VehicleState>& vehicle);
-
 /// Writes tracks.csv, elements.csv, summary.json and, where there is truth, ospa.csv; with --votes-at the
 /// vote matrices. Says on stderr what came of it.
 void write_tracked_run(const std::string& directory, const TrackedRun& run,

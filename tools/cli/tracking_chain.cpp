@@ -58,7 +58,9 @@ std::string describe(const tracking::IntakeCounts& counts) {
   add(counts.lost, "lost by sequence");
   add(counts.restarts, "restarts of the sequence");
   add(counts.resets, "new clocks");
+  add(counts.silent_returns, "returns of inf, NaN or 0 taken as silences");
   add(counts.dropped_returns, "returns out of bounds");
+  add(counts.repeated, "scans that repeat the one before to the bit");
   add(counts.bad_states, "vehicle states rejected");
   return line;
 }

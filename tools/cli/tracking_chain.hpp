@@ -30,6 +30,7 @@ class RecordedChain {
   void add(const core::VehicleState& state) { chain_.add(state); }
   void add(const core::SonarScan& scan) { chain_.add(scan); }
   void finish() { chain_.finish(); }
+  void start_new_clock() { chain_.start_new_clock(); }
 
   const ChainOutput& output() const { return output_; }
   const tracking::IntakeCounts& counts() const { return chain_.counts(); }

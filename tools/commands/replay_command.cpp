@@ -12,36 +12,65 @@
 namespace lookout::tools {
 namespace {
 
+/// Where the n-th clock of a recording ends in one of its lists.
+std::size_t end_of_clock(const core::Recording& recording, std::size_t clock,
+                         std::size_t core::ClockStart::*begin, std::size_t size) {
+  return clock < recording.new_clocks.size() ? recording.new_clocks[clock].*begin : size;
+}
+
 /// A recording's states and scans in the order of their times; of one time the state first.
+void feed(RecordedChain& chain, const core::Recording& recording) {
+  std::size_t scan = 0, state = 0;
+  for (std::size_t clock = 0; clock <= recording.new_clocks.size(); ++clock) {
+    if (clock > 0) chain.start_new_clock();
+    const std::size_t scans = end_of_clock(recording, clock, &core::ClockStart::scan, recording.scans.size());
+    const std::size_t states =
+        end_of_clock(recording, clock, &core::ClockStart::state, recording.vehicle.size());
+    for (; scan < scans; ++scan) {
+      while (state < states && recording.vehicle[state].utime <= recording.scans[scan].utime)
+        chain.add(recording.vehicle[state++]);
+      chain.add(recording.scans[scan]);
+    }
+    while (state < states) chain.add(recording.vehicle[state++]);
+  }
+}
+
 TrackedRun replay_recording(const std::string& directory, Configuration& configuration, std::uint64_t seed) {
   TrackedRun run;
   run.recording = core::read_recording(directory, configuration.sensor);
   for (const auto& note : run.recording.notes) log_warning(note);
-  std::vector<std::int64_t> times;
-  for (const auto& scan : run.recording.scans) times.push_back(scan.utime);
-  require_one_clock(times_of(run.recording.truth), times, directory + "/truth.csv");
+  if (run.recording.new_clocks.empty()) {
+    std::vector<std::int64_t> times;
+    for (const auto& scan : run.recording.scans) times.push_back(scan.utime);
+    require_one_clock(times_of(run.recording.truth), times, directory + "/truth.csv");
+  }
   if (run.recording.params) configuration.sensor = *run.recording.params;
   RecordedChain chain(configuration, seed);
-  auto state = run.recording.vehicle.begin();
-  for (const auto& scan : run.recording.scans) {
-    for (; state != run.recording.vehicle.end() && state->utime <= scan.utime; ++state) chain.add(*state);
-    chain.add(scan);
-  }
-  for (; state != run.recording.vehicle.end(); ++state) chain.add(*state);
+  feed(chain, run.recording);
   chain.finish();
   run.output = chain.output();
   run.counts = chain.counts();
   return run;
 }
 
+/// What a person should know of a log: what it holds, and every message that was not used.
 void tell(const LogFigures& figures, const TrackedRun& run, const std::string& path) {
-  log_info(path + ": " + std::to_string(figures.messages) + " messages");
-  if (figures.damages > 0)
-    log_warning(path + ": the log is damaged or cut off: " + std::to_string(figures.bytes_lost) +
-                " bytes in " + std::to_string(figures.damages) + " place(s) could not be read");
-  if (figures.bad_messages > 0)
-    log_warning(path + ": " + std::to_string(figures.bad_messages) +
-                " messages on our channels were damaged");
+  const LogSurvey& survey = figures.survey;
+  log_info(path + ": " + std::to_string(survey.messages) + " messages: " + survey.names());
+  if (survey.damages > 0)
+    log_warning(path + ": the log is damaged or cut off: " + std::to_string(survey.bytes_lost) +
+                " bytes in " + std::to_string(survey.damages) + " place(s) could not be read");
+  for (const auto& refusal : figures.refusals)
+    log_warning(path + ": " + refusal.channel + ": " + std::to_string(refusal.count) +
+                " messages refused: " + std::string(refusal.reason));
+  if (figures.refused_truth > 0)
+    log_warning(path + ": " + std::to_string(figures.refused_truth) +
+                " lists of truth at a time that has one already");
+  if (figures.is_fixed) log_warning(path + ": no vehicle states: a fixed sensor at the origin");
+  if (!run.recording.new_clocks.empty())
+    log_warning(
+        path + ": holds " + std::to_string(run.recording.new_clocks.size() + 1) +
+        " clocks (played twice, appended, or set back): the recording numbers them in a column `clock`");
   if (figures.tracks.empty()) return;
   const std::string both = std::to_string(figures.tracks.size()) + " TRACKS in the log, " +
                            std::to_string(run.output.tracks.size()) + " now";
@@ -53,44 +82,55 @@ void tell(const LogFigures& figures, const TrackedRun& run, const std::string& p
 }
 
 /// A log becomes a recording beside its tracks, and the tracks that it held.
-TrackedRun replay_and_unpack_log(const std::string& path, const Configuration& configuration,
+TrackedRun replay_and_unpack_log(const std::vector<std::string>& files, const Configuration& configuration,
                                  const Options& options) {
   LogFigures figures;
-  TrackedRun run = replay_log(path, options.channel_prefix, configuration, options.seed, figures);
-  const std::string ping = tracks_images(configuration) ? "image" : "scan";
-  if (figures.pings == 0)
-    throw core::InputError(path + ": holds no " + ping + " on " + options.channel_prefix + "SONAR_" +
-                           (ping == "image" ? "IMAGE" : "SCAN") +
-                           "; expected an LCM log of the sonar (--channel-prefix names the vehicle)");
-  tell(figures, run, path);
+  TrackedRun run = replay_log(files, options.channel_prefix, configuration, options.seed, figures);
+  tell(figures, run, files.size() == 1 ? files.front() : files.front() + " to " + files.back());
   core::write_recording(options.out, run.recording);
   if (!figures.tracks.empty()) core::write_tracks(options.out + "/logged_tracks.csv", figures.tracks);
   return run;
 }
 
+/// The path in an LCM address `file://PATH?...`, or the path itself.
+std::string path_of(const std::string& input) {
+  return input.starts_with("file://") ? input.substr(7, input.find('?') - 7) : input;
+}
+
+/// Scores need one clock: the truth of several stays in the recording alone.
+void leave_out_truth_of_several_clocks(TrackedRun& run) {
+  if (run.recording.new_clocks.empty() || run.recording.truth.empty()) return;
+  run.recording.truth.clear();
+  log_warning("several clocks: the tracks are not scored");
+}
+
 }  // namespace
 
 int replay_command(const Options& options) {
-  if (options.inputs.size() != 1)
-    throw core::InputError("replay: expected one recording directory or LCM log");
+  if (options.inputs.empty()) throw core::InputError("replay: expected one recording directory, or LCM logs");
   if (options.out.empty()) throw core::InputError("replay: --out DIR is missing");
   Configuration configuration = load_configuration(options);
   refuse_idle_choices(options, configuration);
   make_scorer(options);  // A bad flag stops here, before the work.
-  std::string input = options.inputs[0];
-  if (input.starts_with("file://")) input = input.substr(7, input.find('?') - 7);
+  std::vector<std::string> inputs;
+  for (const auto& input : options.inputs) inputs.push_back(path_of(input));
+  const std::string& input = inputs.front();
   const bool is_directory = std::filesystem::is_directory(input);
   if (is_directory && !options.channel_prefix.empty())
     throw core::InputError(
         "--channel-prefix: has no effect on a recording directory, expected an LCM log or none");
+  if (is_directory && inputs.size() > 1)
+    throw core::InputError("replay: expected one recording directory, or LCM logs; got " +
+                           std::to_string(inputs.size()) + " inputs");
   if (is_directory && tracks_images(configuration))
     throw core::InputError("--estimator: h_pmht needs raw images, which " + input +
                            " does not hold; expected an LCM log with SONAR_IMAGE");
   if (is_directory && std::filesystem::exists(options.out) && std::filesystem::equivalent(input, options.out))
     throw core::InputError("--out: is the recording itself, expected another directory");
   make_directory(options.out);
-  const TrackedRun run = is_directory ? replay_recording(input, configuration, options.seed)
-                                      : replay_and_unpack_log(input, configuration, options);
+  TrackedRun run = is_directory ? replay_recording(input, configuration, options.seed)
+                                : replay_and_unpack_log(log_files(inputs), configuration, options);
+  leave_out_truth_of_several_clocks(run);
   write_tracked_run(options.out, run, configuration, options);
   return 0;
 }

@@ -2,6 +2,7 @@
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/progress_bar.hpp"
+#include "tools/cli/recorder.hpp"
 #include "tools/cli/scoring.hpp"
 #include "tools/cli/tracked_run.hpp"
 #include "tools/commands/commands.hpp"
@@ -39,21 +40,20 @@ TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
                        const Configuration& configuration) {
   const sonar_sim::Scene& scene = simulator.scene();
   TrackedRun run;
-  run.recording.params = configuration.sensor;
+  Recorder recorder(configuration.sensor);
+  std::size_t done = 0;
   ProgressBar bar(static_cast<std::size_t>(num_scans(scene, simulator.platform())));
   while (const auto simulated = simulator.next()) {
-    for (const auto& state : simulated->states_before) chain.add(state);
+    for (const auto& state : simulated->states_before) chain.add(state), recorder.add(state);
     feed(chain, *simulated);
-    for (const auto& state : simulated->states_after) chain.add(state);
-    auto& vehicle = run.recording.vehicle;
-    vehicle.insert(vehicle.end(), simulated->states_before.begin(), simulated->states_before.end());
-    vehicle.insert(vehicle.end(), simulated->states_after.begin(), simulated->states_after.end());
-    run.recording.scans.push_back(simulated->scan);
-    run.recording.truth.push_back(simulated->truth);
-    bar.show(run.recording.scans.size());
+    recorder.add(simulated->scan);
+    for (const auto& state : simulated->states_after) chain.add(state), recorder.add(state);
+    recorder.add(simulated->truth);
+    bar.show(++done);
   }
-  keep_in_order(run.recording.vehicle);
   chain.finish();
+  run.recording = recorder.finish();
+  run.recording.params = configuration.sensor;
   run.output = chain.output();
   run.counts = chain.counts();
   return run;

@@ -11,19 +11,32 @@ struct ClockGuardParams {
   /// reset after a pause forgets nothing that is worth keeping.
   std::int64_t max_step = 60'000'000;
   int new_clock_after = 5;  ///< Consistent times on another clock after which that one is believed, >= 1.
+  std::int64_t max_late =
+      1'000'000;  ///< Farthest step back that is a late message of the same clock [us], >= 0.
+  /// Farthest step ahead that is believed at once [us], > 0, or three times the step before where that is
+  /// longer: a longer one is a pause if the next time agrees, else one bad stamp.
+  std::int64_t max_leap = 1'000'000;
 };
 
-/// Judges the times of one stream. A time that repeats, goes back or jumps ahead is suspect; when as many
-/// suspects in a row as `new_clock_after` follow one another, the stream is on a new clock.
+/// Judges the times of one stream, in the order of their arrival. A time that goes back or leaps ahead is
+/// suspect; when enough suspects in a row follow one another, the stream has made a pause or is on a new
+/// clock.
 class ClockGuard {
  public:
-  /// The stamp is believed, it is not, or the last ones in a row make a new clock.
-  enum class Verdict { in_order, suspect, new_clock };
+  /// What a time is to those before it.
+  enum class Verdict {
+    in_order,  ///< Later than all before.
+    late,      ///< A little earlier than the newest, or equal to it.
+    suspect,   ///< To be kept until others agree with it.
+    resumed,   ///< Agrees with the suspect before: the same clock, after a pause.
+    new_clock  ///< Agrees with the suspects before: another clock.
+  };
 
   /// @throws std::invalid_argument on params out of range.
   explicit ClockGuard(const ClockGuardParams& params = {});
 
-  Verdict judge(std::int64_t utime);  ///< Judges the stamp of the next message [us].
+  /// Takes the next time in the order of arrival [us].
+  Verdict judge(std::int64_t utime);
 
   std::optional<std::int64_t> last() const { return last_; }  ///< Newest time on the believed clock [us].
   int suspects() const { return num_suspects_; }              ///< In a row, the newest among them.
@@ -31,11 +44,20 @@ class ClockGuard {
   /// Believes the suspects' clock at once if its newest time is near `utime`. Returns whether it does.
   bool adopt_suspects_near(std::int64_t utime);
 
+  /// At the end of a stream, where nothing more can agree: believes suspects that lie ahead on the same
+  /// clock. Returns whether there are such.
+  bool adopt_suspects_ahead();
+
+  void forget() { *this = ClockGuard(params_); }  ///< The next time is the first.
+
  private:
   bool follows(std::int64_t before, std::int64_t utime) const;
+  Verdict suspect(std::int64_t utime);
+  void believe(std::int64_t utime);
 
   ClockGuardParams params_;
   std::optional<std::int64_t> last_;
+  std::int64_t step_ = 0;  ///< Between the newest two believed times [us].
   std::int64_t newest_suspect_ = 0;
   int num_suspects_ = 0;
 };

@@ -38,14 +38,35 @@ std::string_view header_defect(const Ping& ping) {
   return {};
 }
 
-template <class Ping>
-bool same_sector(const Ping& ping, const core::SonarParams& configured) {
-  const auto same = [](double a, double b) { return within(a - b, kSameGeometry); };
-  return ping.num_beams == configured.num_beams && same(ping.first_bearing, configured.first_bearing) &&
-         same(ping.bearing_step, configured.bearing_step) &&
-         same(ping.T_body_sonar.north, configured.T_body_sonar.north) &&
-         same(ping.T_body_sonar.east, configured.T_body_sonar.east) &&
-         same(ping.T_body_sonar.heading, configured.T_body_sonar.heading);
+bool same(double a, double b) {
+  return within(a - b, kSameGeometry);
+}
+
+template <class Ping, class Other>
+bool same_sector(const Ping& ping, const Other& other) {
+  return ping.num_beams == other.num_beams && same(ping.first_bearing, other.first_bearing) &&
+         same(ping.bearing_step, other.bearing_step) &&
+         same(ping.T_body_sonar.north, other.T_body_sonar.north) &&
+         same(ping.T_body_sonar.east, other.T_body_sonar.east) &&
+         same(ping.T_body_sonar.heading, other.T_body_sonar.heading);
+}
+
+bool is_silent(const core::SonarReturn& echo) {
+  return !std::isfinite(echo.range) || !std::isfinite(echo.bearing) || !std::isfinite(echo.intensity) ||
+         echo.range == 0.0;
+}
+
+/// Turns the bearing of a return into the sector's own turn; false where the return lies outside sector or
+/// range.
+bool bring_into_sector(const core::SonarScan& scan, core::SonarReturn& echo) {
+  if (!positive_below(echo.range, scan.max_range) || !within(echo.bearing, PingLimits::kMaxAngle))
+    return false;
+  const double middle = scan.first_bearing + 0.5 * (scan.num_beams - 1) * scan.bearing_step;
+  const double offset = echo.bearing - middle;
+  // Left as it came where it is near already: the same bits in every way that a scan can take.
+  if (!within(offset, std::numbers::pi)) echo.bearing = middle + std::remainder(offset, kFullTurn);
+  const long beam = std::lround((echo.bearing - scan.first_bearing) / scan.bearing_step);
+  return beam >= 0 && beam < scan.num_beams;
 }
 
 }  // namespace
@@ -53,10 +74,6 @@ bool same_sector(const Ping& ping, const core::SonarParams& configured) {
 std::string_view defect(const core::SonarScan& scan) {
   if (const auto header = header_defect(scan); !header.empty()) return header;
   if (!positive_below(scan.max_range, PingLimits::kMaxRange)) return "maximum range out of range";
-  const auto finite = [](const core::SonarReturn& echo) {
-    return std::isfinite(echo.bearing) && std::isfinite(echo.range) && std::isfinite(echo.intensity);
-  };
-  if (!std::all_of(scan.returns.begin(), scan.returns.end(), finite)) return "a return is not finite";
   return {};
 }
 
@@ -85,29 +102,40 @@ std::string_view defect(const core::VehicleState& state) {
   return {};
 }
 
-int drop_out_of_bounds(core::SonarScan& scan) {
-  const double middle = scan.first_bearing + 0.5 * (scan.num_beams - 1) * scan.bearing_step;
-  const auto is_outside = [&scan, middle](core::SonarReturn& echo) {
-    if (!positive_below(echo.range, scan.max_range) || !within(echo.bearing, PingLimits::kMaxAngle))
-      return true;
-    const double offset = echo.bearing - middle;
-    // Left as it came where it is near already: the same bits in every way that a scan can take.
-    if (!within(offset, std::numbers::pi)) echo.bearing = middle + std::remainder(offset, kFullTurn);
-    const long beam = std::lround((echo.bearing - scan.first_bearing) / scan.bearing_step);
-    return beam < 0 || beam >= scan.num_beams;
-  };
-  const auto first_gone = std::remove_if(scan.returns.begin(), scan.returns.end(), is_outside);
-  const auto gone = scan.returns.end() - first_gone;
-  scan.returns.erase(first_gone, scan.returns.end());
-  return static_cast<int>(gone);
+DroppedReturns drop_returns(core::SonarScan& scan) {
+  DroppedReturns dropped;
+  std::size_t kept = 0;
+  for (core::SonarReturn& echo : scan.returns) {
+    if (is_silent(echo))
+      ++dropped.silent;
+    else if (!bring_into_sector(scan, echo))
+      ++dropped.out_of_bounds;
+    else
+      scan.returns[kept++] = echo;
+  }
+  scan.returns.resize(kept);
+  return dropped;
 }
 
-int drop_out_of_bounds(core::SonarImage& /*image*/) {
-  return 0;
+DroppedReturns drop_returns(core::SonarImage& /*image*/) {
+  return {};
+}
+
+PingGeometry geometry_of(const core::SonarScan& scan) {
+  return {scan.T_body_sonar, scan.first_bearing, scan.bearing_step, scan.max_range, scan.num_beams};
+}
+
+PingGeometry geometry_of(const core::SonarImage& image) {
+  const double max_range = image.first_range + image.num_bins * image.range_step;
+  return {image.T_body_sonar, image.first_bearing, image.bearing_step, max_range, image.num_beams};
+}
+
+bool same(const PingGeometry& a, const PingGeometry& b) {
+  return same_sector(a, b) && same(a.max_range, b.max_range);
 }
 
 bool agrees(const core::SonarScan& scan, const core::SonarParams& configured) {
-  return same_sector(scan, configured) && within(scan.max_range - configured.max_range, kSameGeometry);
+  return same_sector(scan, configured) && same(scan.max_range, configured.max_range);
 }
 
 bool agrees(const core::SonarImage& image, const core::SonarParams& configured) {

@@ -4,6 +4,7 @@
 
 #include "core/pose_history.hpp"
 #include "core/sonar_image.hpp"
+#include "core/sonar_limits.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
 
@@ -13,26 +14,45 @@ namespace lookout::tracking {
 
 /// Bounds beyond which a message cannot be what it claims, and would ask for absurd memory.
 struct PingLimits {
-  static constexpr int kMaxBeams = 30'000;              ///< Beams of a scan or an image.
-  static constexpr double kMaxRange = 50'000.0;         ///< [m], beyond any active sonar or small-boat radar.
-  static constexpr double kMaxMount = 1'000.0;          ///< Of the sonar from the body's origin [m].
-  static constexpr double kMaxPosition = 1e8;           ///< Of a vehicle from the earth frame's origin [m].
-  static constexpr double kMaxSpeed = 1e4;              ///< Of a vehicle [m/s].
-  static constexpr double kMaxAngle = 1e3;              ///< Of a heading or bearing [rad].
-  static constexpr std::size_t kMaxPixels = 1'000'000;  ///< Beams x bins of an image.
+  static constexpr int kMaxBeams = core::SonarLimits::kMaxBeams;
+  static constexpr double kMaxRange = core::SonarLimits::kMaxRange;  ///< [m]
+  static constexpr double kMaxMount = core::SonarLimits::kMaxMount;  ///< [m]
+  static constexpr double kMaxPosition = 1e8;  ///< Of a vehicle from the earth frame's origin [m].
+  static constexpr double kMaxSpeed = core::SonarLimits::kMaxSpeed;  ///< Of a vehicle [m/s].
+  static constexpr double kMaxAngle = 1e3;                           ///< Of a heading or bearing [rad].
+  static constexpr std::size_t kMaxPixels = 1'000'000;
 };
 
-/// Why a message cannot be used; empty where it can. NaN or infinite anywhere, a time, size or geometry out
-/// of range.
+/// NaN or infinite in a header, a time, size or geometry out of range. Returns are not looked at.
 std::string_view defect(const core::SonarScan& scan);
 std::string_view defect(const core::SonarImage& image);    ///< Likewise.
 std::string_view defect(const core::VehicleState& state);  ///< Likewise.
 
-/// Removes the returns of a scan without defect that lie outside (0, max_range] or outside the sector, and
-/// turns the bearings of the rest to within half a turn of the sector's middle. An image has none. Returns
-/// how many went.
-int drop_out_of_bounds(core::SonarScan& scan);
-int drop_out_of_bounds(core::SonarImage& image);  ///< Always 0.
+/// Returns that were taken out of a ping.
+struct DroppedReturns {
+  int silent = 0;         ///< NaN, infinite or of range 0: how drivers say that a beam heard nothing.
+  int out_of_bounds = 0;  ///< Beyond the maximum range, of a negative range, or outside the sector.
+};
+
+/// Takes those returns out of a scan without defect, and turns the bearings of the rest to within half a turn
+/// of the sector's middle. An image has none.
+DroppedReturns drop_returns(core::SonarScan& scan);
+/// Likewise.
+DroppedReturns drop_returns(core::SonarImage& image);
+
+/// Fan, ranges and mount of a ping.
+struct PingGeometry {
+  core::Pose2 T_body_sonar;                        ///< Mount: forward, starboard [m], heading [rad].
+  double first_bearing = 0.0, bearing_step = 0.0;  ///< [rad]
+  double max_range = 0.0;                          ///< Of the outermost range [m].
+  int num_beams = 0;                               ///< >= 1.
+};
+/// What the ping was taken with.
+PingGeometry geometry_of(const core::SonarScan& scan);
+/// What the ping was taken with.
+PingGeometry geometry_of(const core::SonarImage& image);
+/// Whether they agree but for rounding.
+bool same(const PingGeometry& a, const PingGeometry& b);
 
 /// Whether the geometry in the message is that of the configuration.
 bool agrees(const core::SonarScan& scan, const core::SonarParams& configured);

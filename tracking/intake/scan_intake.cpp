@@ -1,17 +1,21 @@
 #include "tracking/intake/scan_intake.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <stdexcept>
 #include <utility>
 
+#include "core/csv.hpp"
 #include "core/time_text.hpp"
-#include "tracking/intake/ping_checks.hpp"
 
 namespace lookout::tracking {
 namespace {
 
 using Verdict = ClockGuard::Verdict;
+
+/// Sensors that one vehicle is likely to carry; more of them are damaged messages.
+constexpr std::size_t kMaxSensors = 64;
+/// Fewer returns may repeat to the bit by chance.
+constexpr std::size_t kTellingReturns = 3;
 
 constexpr const char* name_of(const core::SonarScan&) {
   return "scan";
@@ -27,6 +31,26 @@ core::SonarImage& ping_of(core::PosedImage& posed) {
   return posed.image;
 }
 
+template <class Value>
+std::string_view bytes_of(const std::vector<Value>& values) {
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
+}
+
+std::string_view content_of(const core::SonarScan& scan) {
+  return bytes_of(scan.returns);
+}
+std::string_view content_of(const core::SonarImage& image) {
+  return bytes_of(image.intensity);
+}
+
+/// A hash of what a ping heard; 0 for too little to tell a frozen sensor by.
+template <class Ping>
+std::size_t hash_of(const Ping& ping) {
+  const std::string_view content = content_of(ping);
+  if (content.size() < kTellingReturns * sizeof(core::SonarReturn)) return 0;
+  return std::hash<std::string_view>()(content);
+}
+
 /// Whether the n-th event of a kind is worth a line: the first, second, fourth, ..., so that a stream of bad
 /// input does not become a stream of lines.
 bool worth_a_line(std::int64_t n) {
@@ -37,77 +61,177 @@ std::string at_time(std::int64_t utime) {
   return " at " + core::time_text(utime) + " s";
 }
 
+std::string so_far(std::int64_t count) {
+  return " (" + std::to_string(count) + " so far)";
+}
+
+template <class Ping>
+std::string described(const Ping& ping) {
+  const std::string sensor = ping.sensor_id == 0 ? "" : " of sensor " + std::to_string(ping.sensor_id);
+  return name_of(ping) + sensor + at_time(ping.utime);
+}
+
+std::int64_t max_pose_gap(const core::SonarParams& configured) {
+  return core::microseconds(configured.max_pose_gap);
+}
+
+/// A clock on which a message may be as late as it may be waited for.
+ClockGuardParams clock_of(const IntakeParams& params) {
+  ClockGuardParams clock = params.clock;
+  clock.max_late = params.max_wait;
+  return clock;
+}
+
+/// The vehicle's states may always be as far apart as is interpolated across.
+ClockGuardParams state_clock_of(const IntakeParams& params, const core::SonarParams& configured) {
+  ClockGuardParams clock = clock_of(params);
+  clock.max_leap = std::max(clock.max_leap, max_pose_gap(configured));
+  return clock;
+}
+
+IntakeParams checked(IntakeParams params, const core::SonarParams& configured) {
+  if (params.max_wait < 0)
+    throw std::invalid_argument("max_wait must be >= 0, got " + std::to_string(params.max_wait));
+  if (params.max_waiting < 1) throw std::invalid_argument("max_waiting must be >= 1, got 0");
+  if (configured.max_wait != core::SonarParams().max_wait)
+    params.max_wait = core::microseconds(configured.max_wait);
+  return params;
+}
+
+/// Who lets the vehicle's states be farther apart must wait for them as long.
+std::int64_t pose_wait(const IntakeParams& params, const core::SonarParams& configured) {
+  const std::int64_t gap = max_pose_gap(configured);
+  return gap > core::PoseHistory::kMaxBracket ? std::max(gap, params.max_wait) : params.max_wait;
+}
+
 }  // namespace
 
 template <class Ping>
 PingIntake<Ping>::PingIntake(const core::SonarParams& configured, Sink sink, const IntakeParams& params)
     : configured_(configured),
       sink_(std::move(sink)),
-      params_(params),
-      state_clock_(params.clock),
-      ping_clock_(params.clock) {
-  if (params.max_wait < 0)
-    throw std::invalid_argument("max_wait must be >= 0, got " + std::to_string(params.max_wait));
-  if (params.max_waiting < 1) throw std::invalid_argument("max_waiting must be >= 1, got 0");
-}
+      params_(checked(params, configured)),
+      pose_wait_(pose_wait(params_, configured)),
+      states_({[this](const core::VehicleState& state, std::string_view reason) {
+                 if (worth_a_line(++counts_.bad_states))
+                   sink_.report("vehicle state" + at_time(state.utime) + " rejected: " + std::string(reason) +
+                                so_far(counts_.bad_states));
+               },
+               [this](const core::VehicleState& state, bool new_clock) {
+                 if (new_clock) sink_.report("vehicle states are on a new clock" + at_time(state.utime));
+                 if (sink_.believe) sink_.believe(state, new_clock);
+               }},
+              max_pose_gap(configured), state_clock_of(params_, configured)),
+      hold_(params_.max_wait) {}
 
 template <class Ping>
 void PingIntake<Ping>::add(const core::VehicleState& state) {
-  if (const auto reason = defect(state); !reason.empty()) return report_state(state, reason);
-  switch (state_clock_.judge(state.utime)) {
-    case Verdict::suspect:
-      if (state_clock_.suspects() == 1) suspect_poses_.clear();
-      suspect_poses_.add(state);
-      return report_state(state, "out of time");
-    case Verdict::new_clock:
-      suspect_poses_.add(state);
-      poses_ = std::exchange(suspect_poses_, core::PoseHistory());
-      sink_.report("vehicle states are on a new clock" + at_time(state.utime));
-      break;
-    case Verdict::in_order:
-      poses_.add(state);
-      break;
-  }
+  states_.add(state);
   hand_out_what_has_a_pose();
 }
 
 template <class Ping>
 void PingIntake<Ping>::add(Ping ping) {
+  ++counts_.received;
   if (const auto reason = defect(ping); !reason.empty()) return reject(ping, reason, counts_.damaged);
-  const Verdict verdict = ping_clock_.judge(ping.utime);
-  if (verdict == Verdict::suspect)
-    return reject(ping, "time repeats, goes back or jumps ahead", counts_.out_of_time);
-  if (verdict == Verdict::new_clock) begin_new_clock(ping.utime);
-  count_sequence(ping.sequence);
-  if (waiting_.size() >= params_.max_waiting) {
-    reject(waiting_.front(), "no pose", counts_.no_pose);
-    waiting_.pop_front();
-  }
-  waiting_.push_back(std::move(ping));
+  Sensor* sensor = sensor_of(ping);
+  if (sensor == nullptr) return reject(ping, "more sensors than 64 on one vehicle", counts_.damaged);
+  const std::int64_t utime = ping.utime;
+  const Verdict verdict = sensor->clock.judge(utime);
+  if (verdict == Verdict::in_order) refuse_held(*sensor);
+  if (verdict == Verdict::in_order || verdict == Verdict::late)
+    enqueue(*sensor, std::move(ping));
+  else
+    hold(*sensor, std::move(ping));
+  if (verdict == Verdict::resumed) release(*sensor);
+  if (verdict == Verdict::new_clock) begin_new_clock(*sensor, utime);
   hand_out_what_has_a_pose();
 }
 
 template <class Ping>
+typename PingIntake<Ping>::Sensor* PingIntake<Ping>::sensor_of(const Ping& ping) {
+  const auto found = sensors_.find(ping.sensor_id);
+  if (found != sensors_.end()) return &found->second;
+  if (sensors_.size() >= kMaxSensors) return nullptr;
+  return &sensors_.emplace(ping.sensor_id, Sensor{ClockGuard(clock_of(params_)), {}}).first->second;
+}
+
+/// Keeps a suspect until others agree with it. The first of its kind replaces those that nothing agreed with.
+template <class Ping>
+void PingIntake<Ping>::hold(Sensor& sensor, Ping ping) {
+  if (sensor.clock.suspects() == 1) refuse_held(sensor);
+  sensor.held.push_back(std::move(ping));
+}
+
+template <class Ping>
+void PingIntake<Ping>::release(Sensor& sensor) {
+  for (Ping& ping : std::exchange(sensor.held, {})) enqueue(sensor, std::move(ping));
+}
+
+template <class Ping>
+void PingIntake<Ping>::refuse_held(Sensor& sensor) {
+  for (const Ping& ping : std::exchange(sensor.held, {}))
+    refuse_out_of_time(sensor, ping, "its time goes back or leaps ahead, alone");
+}
+
+/// Puts a ping among those that wait, in order of time; of one time in order of arrival.
+template <class Ping>
+void PingIntake<Ping>::enqueue(Sensor& sensor, Ping ping) {
+  const std::int64_t utime = ping.utime;
+  const bool too_late = handed_out_ && utime < *handed_out_;
+  if (too_late || (!waiting_.empty() && utime < waiting_.back().utime))
+    hold_.note(newest_utime() - utime, newest_utime(), too_late);
+  if (sensor.last_out && utime == *sensor.last_out)
+    return refuse_out_of_time(sensor, ping, "its time repeats");
+  if (too_late) return refuse_out_of_time(sensor, ping, "comes too late");
+  const auto place =
+      std::upper_bound(waiting_.begin(), waiting_.end(), utime,
+                       [](std::int64_t time, const Ping& other) { return time < other.utime; });
+  for (auto other = place; other != waiting_.begin() && std::prev(other)->utime == utime; --other) {
+    if (std::prev(other)->sensor_id == ping.sensor_id)
+      return refuse_out_of_time(sensor, ping, "its time repeats");
+  }
+  waiting_bytes_ += content_of(ping).size();
+  waiting_.insert(place, std::move(ping));
+  bound_waiting();
+}
+
+template <class Ping>
+void PingIntake<Ping>::bound_waiting() {
+  while (waiting_.size() > params_.max_waiting ||
+         (waiting_.size() > 1 && waiting_bytes_ > params_.max_waiting_bytes))
+    give_up_first("no pose, and too many wait for theirs");
+}
+
+template <class Ping>
 void PingIntake<Ping>::finish() {
-  for (const Ping& ping : waiting_) reject(ping, "no pose", counts_.no_pose);
-  waiting_.clear();
+  states_.finish();
+  for (auto& [id, sensor] : sensors_) {
+    if (sensor.clock.adopt_suspects_ahead()) release(sensor);
+    refuse_held(sensor);
+  }
+  hold_.forget();
+  hand_out_what_has_a_pose();
+  while (!waiting_.empty()) give_up_first(why_no_pose(waiting_.front().utime));
 }
 
 template <class Ping>
 std::int64_t PingIntake<Ping>::newest_utime() const {
-  if (!ping_clock_.last()) return state_clock_.last().value_or(0);
-  return std::max(*ping_clock_.last(), state_clock_.last().value_or(*ping_clock_.last()));
+  std::optional<std::int64_t> newest = states_.newest_utime();
+  for (const auto& [id, sensor] : sensors_) newest = std::max(newest, sensor.clock.last());
+  return newest.value_or(0);
 }
 
 template <class Ping>
 void PingIntake<Ping>::hand_out_what_has_a_pose() {
   while (!waiting_.empty()) {
-    const Ping& ping = waiting_.front();
-    if (const auto T_earth_body = poses_.at(ping.utime)) {
+    const std::int64_t utime = waiting_.front().utime;
+    const std::int64_t newest = newest_utime();
+    if (newest - utime < hold_.at(newest)) return;
+    if (const auto T_earth_body = states_.poses().at(utime)) {
       hand_out(*T_earth_body);
-    } else if (poses_.reaches(ping.utime) || newest_utime() - ping.utime > params_.max_wait) {
-      reject(ping, "no pose", counts_.no_pose);
-      waiting_.pop_front();
+    } else if (states_.poses().reaches(utime) || newest - utime > pose_wait_) {
+      give_up_first(why_no_pose(utime));
     } else {
       return;
     }
@@ -119,56 +243,137 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   Ping& ping = ping_of(posed_);
   ping = std::move(waiting_.front());
   waiting_.pop_front();
+  waiting_bytes_ -= content_of(ping).size();
   posed_.T_earth_sonar = core::compose(T_earth_body, ping.T_body_sonar);
-  counts_.dropped_returns += drop_out_of_bounds(ping);
-  if (!agrees(ping, configured_) && worth_a_line(++counts_.other_geometry))
-    sink_.report(std::string(name_of(ping)) + at_time(ping.utime) +
-                 " has another geometry than the configuration; the message wins (" +
-                 std::to_string(counts_.other_geometry) + " so far)");
+  Sensor& sensor = sensors_.at(ping.sensor_id);
+  look_at(sensor, ping);
+  count_sequence(sensor, ping.sequence);
+  const DroppedReturns dropped = drop_returns(ping);
+  counts_.silent_returns += dropped.silent;
+  counts_.dropped_returns += dropped.out_of_bounds;
+  handed_out_ = sensor.last_out = ping.utime;
   ++counts_.accepted;
+  if (sink_.pose) sink_.pose(T_earth_body);
   sink_.accept(posed_);
 }
 
+/// Tells what a person should know of a ping that is accepted: another geometry, content that is frozen.
 template <class Ping>
-void PingIntake<Ping>::begin_new_clock(std::int64_t utime) {
-  finish();
-  if (state_clock_.adopt_suspects_near(utime)) poses_ = std::exchange(suspect_poses_, core::PoseHistory());
-  sequence_.forget();
+void PingIntake<Ping>::look_at(Sensor& sensor, const Ping& ping) {
+  const PingGeometry geometry = geometry_of(ping);
+  const bool is_new = !sensor.geometry || !same(*sensor.geometry, geometry);
+  const bool is_other = !agrees(ping, configured_);
+  if (is_other) ++counts_.other_geometry;
+  if (is_new && is_other)
+    sink_.report(described(ping) + " has another geometry than the configuration; the message wins" +
+                 so_far(counts_.other_geometry));
+  sensor.geometry = geometry;
+  const std::size_t content = hash_of(ping);
+  const bool repeats = content != 0 && content == std::exchange(sensor.content, content);
+  if (repeats && worth_a_line(++counts_.repeated))
+    sink_.report(described(ping) + " repeats the one before to the bit: is the sensor frozen?" +
+                 so_far(counts_.repeated));
+}
+
+template <class Ping>
+void PingIntake<Ping>::give_up_first(std::string_view reason) {
+  const Ping ping = std::move(waiting_.front());
+  waiting_.pop_front();
+  waiting_bytes_ -= content_of(ping).size();
+  Sensor& sensor = sensors_.at(ping.sensor_id);
+  count_sequence(sensor, ping.sequence);
+  handed_out_ = sensor.last_out = ping.utime;
+  reject(ping, reason, counts_.no_pose);
+}
+
+template <class Ping>
+std::string PingIntake<Ping>::why_no_pose(std::int64_t utime) const {
+  if (const auto gap = states_.poses().gap_at(utime))
+    return "no pose: the vehicle states around it are " + core::time_text(*gap) +
+           " s apart, above max_pose_gap_s (" + core::shortest(configured_.max_pose_gap) +
+           " s; set it in `sensor:` of the configuration)";
+  if (!states_.newest_utime()) return "no pose: no vehicle state has come";
+  if (states_.poses().reaches(utime)) return "no pose: it is older than the vehicle states";
+  return "no pose: no vehicle state came within " + core::time_text(pose_wait_) +
+         " s after it; max_pose_gap_s (" + core::shortest(configured_.max_pose_gap) + " s) and max_wait_s (" +
+         core::time_text(params_.max_wait) +
+         " s) in `sensor:` of the configuration say how far apart and how late they may be";
+}
+
+template <class Ping>
+void PingIntake<Ping>::begin_new_clock(Sensor& first, std::int64_t utime) {
+  const std::string from = handed_out_ ? ", after " + core::time_text(*handed_out_) + " s" : "";
+  const auto begin = first.held.empty() ? utime : first.held.front().utime;
+  hold_.forget();
+  hand_out_what_has_a_pose();
+  while (!waiting_.empty()) give_up_first("no pose before a new clock began");
+  states_.begin_new_clock(utime);
+  std::vector<Sensor*> on_it{&first};
+  for (auto& [id, sensor] : sensors_) {
+    if (&sensor == &first) continue;
+    if (sensor.clock.adopt_suspects_near(utime)) {
+      on_it.push_back(&sensor);
+    } else {
+      refuse_held(sensor);
+      sensor.clock.forget();
+    }
+  }
+  forget_clock();
   ++counts_.resets;
-  sink_.report("new clock" + at_time(utime) + ": everything starts again (" + std::to_string(counts_.resets) +
-               " so far)");
+  sink_.report("new clock" + at_time(begin) + from + ": tracking starts again, identities go on" +
+               so_far(counts_.resets));
+  sink_.reset();
+  for (Sensor* sensor : on_it) release(*sensor);
+}
+
+template <class Ping>
+void PingIntake<Ping>::forget_clock() {
+  handed_out_.reset();
+  hold_.forget();
+  for (auto& [id, sensor] : sensors_) {
+    sensor.last_out.reset();
+    sensor.gaps.forget();
+    sensor.content = 0;
+  }
+}
+
+template <class Ping>
+void PingIntake<Ping>::start_new_clock() {
+  finish();
+  states_.start_new_clock();
+  for (auto& [id, sensor] : sensors_) sensor.clock.forget();
+  forget_clock();
+  ++counts_.resets;
+  sink_.report("the recording goes on on a new clock: tracking starts again, identities go on" +
+               so_far(counts_.resets));
   sink_.reset();
 }
 
 template <class Ping>
-void PingIntake<Ping>::count_sequence(std::int64_t sequence) {
+void PingIntake<Ping>::count_sequence(Sensor& sensor, std::int64_t sequence) {
   using Step = core::SequenceGaps::Step;
-  const auto lost_before = static_cast<std::uint64_t>(sequence_.lost());
-  const Step step = sequence_.add(sequence);
-  counts_.lost = sequence_.lost();
-  counts_.restarts = sequence_.restarts();
-  // At the first, the second, the fourth, ... that is lost.
-  if (step == Step::gap &&
-      std::bit_width(static_cast<std::uint64_t>(counts_.lost)) > std::bit_width(lost_before))
-    sink_.report("lost before sequence " + std::to_string(sequence) + " (" + std::to_string(counts_.lost) +
-                 " so far)");
+  const std::int64_t lost = sensor.gaps.lost(), restarts = sensor.gaps.restarts();
+  const Step step = sensor.gaps.add(sequence);
+  counts_.lost += sensor.gaps.lost() - lost;
+  counts_.restarts += sensor.gaps.restarts() - restarts;
+  if (step == Step::gap && worth_a_line(++num_gaps_))
+    sink_.report("lost before sequence " + std::to_string(sequence) + so_far(counts_.lost));
   if (step == Step::restart && worth_a_line(counts_.restarts))
-    sink_.report("sequence starts again at " + std::to_string(sequence) + " (" +
-                 std::to_string(counts_.restarts) + " so far)");
+    sink_.report("sequence starts again at " + std::to_string(sequence) + so_far(counts_.restarts));
+}
+
+template <class Ping>
+void PingIntake<Ping>::refuse_out_of_time(Sensor& sensor, const Ping& ping, std::string_view reason) {
+  const std::int64_t lost = sensor.gaps.lost();
+  sensor.gaps.refused(ping.sequence);
+  counts_.lost += sensor.gaps.lost() - lost;
+  reject(ping, reason, counts_.out_of_time);
 }
 
 template <class Ping>
 void PingIntake<Ping>::reject(const Ping& ping, std::string_view reason, std::int64_t& count) {
   if (worth_a_line(++count))
-    sink_.report(std::string(name_of(ping)) + at_time(ping.utime) + " rejected: " + std::string(reason) +
-                 " (" + std::to_string(count) + " so far)");
-}
-
-template <class Ping>
-void PingIntake<Ping>::report_state(const core::VehicleState& state, std::string_view reason) {
-  if (worth_a_line(++counts_.bad_states))
-    sink_.report("vehicle state" + at_time(state.utime) + " rejected: " + std::string(reason) + " (" +
-                 std::to_string(counts_.bad_states) + " so far)");
+    sink_.report(described(ping) + " rejected: " + std::string(reason) + so_far(count));
 }
 
 template class PingIntake<core::SonarScan>;

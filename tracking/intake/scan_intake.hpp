@@ -3,40 +3,51 @@
 #include <cstdint>
 #include <deque>
 #include <functional>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "core/pose_history.hpp"
 #include "core/sequence_gaps.hpp"
 #include "core/sonar_image.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
-#include "tracking/intake/clock_guard.hpp"
+#include "tracking/intake/ping_checks.hpp"
+#include "tracking/intake/pose_intake.hpp"
+#include "tracking/intake/reorder_hold.hpp"
 
 namespace lookout::tracking {
 
-/// How long and how many pings wait for their pose.
+/// How long and how much an intake waits, and when it believes a time.
 struct IntakeParams {
-  std::int64_t max_wait = 1'000'000;  ///< How long a ping waits for its pose, in data time [us], >= 0.
-  std::size_t max_waiting = 256;      ///< Pings that may wait at once, >= 1; bounds memory in a flood.
-  ClockGuardParams clock;             ///< Which stamps are believed.
+  /// How long a ping waits for its pose and for late pings before it, in data time [us], >= 0; where the
+  /// sensor's params say something else than their default, that.
+  std::int64_t max_wait = 1'000'000;
+  std::size_t max_waiting = 1024;             ///< Pings that may wait at once, >= 1; with
+  std::size_t max_waiting_bytes = 64U << 20;  ///< the room for their content they bound memory in a flood.
+  ClockGuardParams clock;                     ///< `max_late` is taken from max_wait.
 };
 
-/// What became of everything that came in since the start.
+/// What became of everything that came in since the start: received = accepted + rejected() + what still
+/// waits.
 struct IntakeCounts {
+  std::int64_t received = 0;         ///< Pings that came.
   std::int64_t accepted = 0;         ///< Pings handed out.
   std::int64_t no_pose = 0;          ///< Pings without vehicle states on either side.
-  std::int64_t damaged = 0;          ///< Pings with a damaged header, wrong sizes or NaN.
-  std::int64_t out_of_time = 0;      ///< Pings that repeat, go back or jump ahead in time.
-  std::int64_t lost = 0;             ///< Pings missing by their sequence.
-  std::int64_t restarts = 0;         ///< Times that the sequence went backwards.
+  std::int64_t damaged = 0;          ///< Pings with a damaged header or wrong sizes.
+  std::int64_t out_of_time = 0;      ///< Pings that repeat, come too late or leap ahead in time.
+  std::int64_t lost = 0;             ///< Pings missing by their sensor's sequence: they never came.
+  std::int64_t restarts = 0;         ///< Times that a sequence went backwards.
   std::int64_t resets = 0;           ///< New clocks.
+  std::int64_t silent_returns = 0;   ///< NaN, infinite or of range 0: silences, of accepted pings.
   std::int64_t dropped_returns = 0;  ///< Returns out of bounds, of accepted pings.
+  std::int64_t repeated = 0;         ///< Accepted pings with the content of the one before, to the bit.
   std::int64_t other_geometry = 0;   ///< Accepted pings whose geometry is not the configured one.
   std::int64_t bad_states = 0;       ///< Vehicle states damaged or out of time.
 
-  std::int64_t rejected() const { return no_pose + damaged + out_of_time; }  ///< All that were refused.
+  /// Pings that were not handed out.
+  std::int64_t rejected() const { return no_pose + damaged + out_of_time; }
 };
 
 template <class Ping>
@@ -52,50 +63,81 @@ struct PosedOf<core::SonarImage> {
 
 /// Takes vehicle states and pings in the order of their arrival and hands the pings out in order of time,
 /// each with where the sonar was. The rules are those of docs/live.md: the same for a live
-/// link, a log and a recording, so that all three give the same tracks. Bad input is rejected, counted and
-/// reported, never thrown.
+/// link, a log and a recording, so that all three give the same tracks. Several sensors (`sensor_id`) share
+/// it, each with its own clock, sequence and geometry. Bad input is rejected, counted and reported, never
+/// thrown.
 template <class Ping>
 class PingIntake {
  public:
   using Posed = typename PosedOf<Ping>::Type;
 
-  /// Who is told. All three must be set.
+  /// Who is told. The first three must be set; the others are for who keeps a recording of it.
   struct Sink {
-    std::function<void(const Posed&)> accept;  ///< The next ping; later than all before it, until a reset.
-    std::function<void()> reset;               ///< A new clock begins: forget everything.
+    /// The next ping; not earlier than all before it and later than all of its sensor, until a reset.
+    std::function<void(const Posed&)> accept;
+    std::function<void()> reset;                     ///< A new clock begins: forget everything.
     std::function<void(const std::string&)> report;  ///< One line for a person.
+    /// A state that is believed; `new_clock`: the first of a new clock, of which a `reset` may follow.
+    std::function<void(const core::VehicleState&, bool new_clock)> believe = {};
+    std::function<void(const core::Pose2& T_earth_body)> pose = {};  ///< Of the ping that is accepted next.
   };
 
-  /// @param configured geometry; that of a message wins, a disagreement is counted and reported.
+  /// @param configured geometry; that of a message wins, a disagreement is counted and reported. Its
+  /// `max_pose_gap` and `max_wait` hold.
   /// @throws std::invalid_argument on params out of range.
   PingIntake(const core::SonarParams& configured, Sink sink, const IntakeParams& params = {});
+  PingIntake(const PingIntake&) = delete;
+  PingIntake& operator=(const PingIntake&) = delete;
 
-  /// Takes a vehicle state; hands on the pings that waited for it.
-  void add(const core::VehicleState& state);
-  void add(Ping ping);  ///< Takes a ping; hands it on at once where its pose is known.
-  void finish();        ///< There is no more: what still waits for a pose will not get one.
+  void add(const core::VehicleState& state);  ///< The next one in the order of arrival.
+  void add(Ping ping);                        ///< Likewise.
+  void finish();           ///< There is no more: what still waits for a pose will not get one.
+  void start_new_clock();  ///< What comes now is on another clock, as who keeps a recording knows.
 
   const IntakeCounts& counts() const { return counts_; }  ///< Since the start.
   std::int64_t newest_utime() const;  ///< Of the data that was believed [us]; 0 before any.
 
  private:
+  /// What is known of one sensor.
+  struct Sensor {
+    ClockGuard clock;
+    core::SequenceGaps gaps;
+    std::vector<Ping> held = {};  ///< Suspect, and each later than the one before.
+    std::optional<std::int64_t> last_out = {};
+    std::optional<PingGeometry> geometry = {};
+    std::size_t content = 0;  ///< Of the last ping, as a hash; 0 for too little to tell.
+  };
+
+  Sensor* sensor_of(const Ping& ping);
+  void hold(Sensor& sensor, Ping ping);
+  void release(Sensor& sensor);
+  void refuse_held(Sensor& sensor);
+  void enqueue(Sensor& sensor, Ping ping);
+  void bound_waiting();
   void hand_out_what_has_a_pose();
   void hand_out(const core::Pose2& T_earth_body);
-  void begin_new_clock(std::int64_t utime);
-  void count_sequence(std::int64_t sequence);
+  void look_at(Sensor& sensor, const Ping& ping);
+  void give_up_first(std::string_view reason);
+  std::string why_no_pose(std::int64_t utime) const;
+  void begin_new_clock(Sensor& first, std::int64_t utime);
+  void forget_clock();
+  void count_sequence(Sensor& sensor, std::int64_t sequence);
+  void refuse_out_of_time(Sensor& sensor, const Ping& ping, std::string_view reason);
   void reject(const Ping& ping, std::string_view reason, std::int64_t& count);
-  void report_state(const core::VehicleState& state, std::string_view reason);
 
   core::SonarParams configured_;
   Sink sink_;
   IntakeParams params_;
-  ClockGuard state_clock_, ping_clock_;
-  core::PoseHistory poses_;
-  core::PoseHistory suspect_poses_;  ///< On a clock that is not believed yet.
-  core::SequenceGaps sequence_;
-  std::deque<Ping> waiting_;
+  std::int64_t pose_wait_;  ///< How long a ping waits for its pose [us].
+  PoseIntake states_;
+  std::map<std::int32_t, Sensor> sensors_;
+  ReorderHold hold_;
+  std::deque<Ping> waiting_;  ///< In order of time.
+  std::size_t waiting_bytes_ = 0;
+  std::optional<std::int64_t> handed_out_;  ///< Time of the newest ping that has left [us].
   Posed posed_;
   IntakeCounts counts_;
+  std::int64_t num_gaps_ = 0;
 };
 
 extern template class PingIntake<core::SonarScan>;

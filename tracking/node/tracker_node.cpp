@@ -52,10 +52,8 @@ void ChainNode<Chain>::run(const lcmtypes::LoopLimits& limits) {
 template <class Chain>
 lcmtypes::NodeFigures ChainNode<Chain>::figures() const {
   const IntakeCounts& counts = chain_->counts();
-  const lcmtypes::Inbox& inbox = bus_.inbox();
   return {chain_->newest_utime(), counts.accepted,
-          counts.rejected() + counts.bad_states + inbox.bad_messages(),
-          inbox.counts(WireOf<typename Chain::Ping>::channel(node_.channels())).lost};
+          counts.rejected() + counts.bad_states + bus_.inbox().bad_messages(), counts.lost};
 }
 
 template class ChainNode<TrackingChain>;

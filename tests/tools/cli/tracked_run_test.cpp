@@ -12,23 +12,6 @@
 namespace lookout::tools {
 namespace {
 
-core::VehicleState state_at(std::int64_t utime, double north) {
-  core::VehicleState state;
-  state.utime = utime;
-  state.T_earth_body.north = north;
-  return state;
-}
-
-TEST(KeepInOrder, DropsWhatIsNotLaterThanAllBefore) {
-  std::vector<core::VehicleState> vehicle{state_at(10, 1), state_at(30, 2), state_at(20, 3), state_at(30, 4),
-                                          state_at(31, 5)};
-  keep_in_order(vehicle);
-  ASSERT_EQ(vehicle.size(), 3u);
-  EXPECT_EQ(vehicle[0].T_earth_body.north, 1);
-  EXPECT_EQ(vehicle[1].T_earth_body.north, 2);
-  EXPECT_EQ(vehicle[2].T_earth_body.north, 5);
-}
-
 /// One target at (3, 4) m at two times; a track at the origin at the first, none at the second.
 TrackedRun half_missed() {
   TrackedRun run;

@@ -16,16 +16,46 @@ TEST(ClockGuard, BelievesTimesThatGoOn) {
   ClockGuard guard;
   EXPECT_EQ(guard.judge(0), Verdict::in_order);
   EXPECT_EQ(guard.judge(1), Verdict::in_order);
-  EXPECT_EQ(guard.judge(60 * kSecond), Verdict::in_order);
+  EXPECT_EQ(guard.judge(kSecond), Verdict::in_order);
+  EXPECT_EQ(guard.judge(4 * kSecond - 3), Verdict::in_order);  // Three times the step before.
 }
 
-TEST(ClockGuard, SuspectsRepeatsStepsBackAndLeaps) {
+TEST(ClockGuard, TellsLateFromSuspect) {
   ClockGuard guard;
   guard.judge(10 * kSecond);
-  EXPECT_EQ(guard.judge(10 * kSecond), Verdict::suspect);
-  EXPECT_EQ(guard.judge(9 * kSecond), Verdict::suspect);
+  EXPECT_EQ(guard.judge(10 * kSecond), Verdict::late);
+  EXPECT_EQ(guard.judge(9 * kSecond), Verdict::late);
+  EXPECT_EQ(guard.judge(9 * kSecond - 1), Verdict::suspect);
   EXPECT_EQ(guard.judge(10 * kSecond + kHour), Verdict::suspect);
   EXPECT_EQ(guard.last(), 10 * kSecond);
+}
+
+TEST(ClockGuard, ALeapIsAPauseWhereTheNextAgreesAndElseOneBadStamp) {
+  ClockGuard guard;
+  for (const int tenths : {0, 5, 10}) guard.judge(tenths * kSecond / 10);
+  EXPECT_EQ(guard.judge(4 * kSecond), Verdict::suspect);
+  EXPECT_EQ(guard.judge(3 * kSecond / 2), Verdict::in_order);  // It was bad.
+  EXPECT_EQ(guard.judge(5 * kSecond), Verdict::suspect);
+  EXPECT_EQ(guard.judge(11 * kSecond / 2), Verdict::resumed);
+  EXPECT_EQ(guard.judge(6 * kSecond), Verdict::in_order);
+}
+
+TEST(ClockGuard, FollowsASlowSensor) {
+  ClockGuard guard;
+  guard.judge(0);
+  EXPECT_EQ(guard.judge(20 * kSecond), Verdict::suspect);
+  EXPECT_EQ(guard.judge(40 * kSecond), Verdict::resumed);
+  for (int i = 3; i < 6; ++i) EXPECT_EQ(guard.judge(20 * i * kSecond), Verdict::in_order);
+}
+
+TEST(ClockGuard, AtTheEndBelievesWhatLiesAhead) {
+  ClockGuard guard;
+  guard.judge(10 * kSecond);
+  guard.judge(kSecond);
+  EXPECT_FALSE(guard.adopt_suspects_ahead());
+  guard.judge(15 * kSecond);
+  EXPECT_TRUE(guard.adopt_suspects_ahead());
+  EXPECT_EQ(guard.last(), 15 * kSecond);
 }
 
 TEST(ClockGuard, BelievesANewClockAfterFiveConsistentTimes) {
@@ -36,6 +66,14 @@ TEST(ClockGuard, BelievesANewClockAfterFiveConsistentTimes) {
     EXPECT_EQ(guard.judge(2 * kHour + jump + 5 * kSecond), Verdict::new_clock);
     EXPECT_EQ(guard.judge(2 * kHour + jump + 6 * kSecond), Verdict::in_order);
   }
+}
+
+TEST(ClockGuard, BelievesAClockThatWasSetBackThoughItReachesTheOldOne) {
+  ClockGuard guard;
+  for (int half = 0; half < 30; ++half) guard.judge(half * kSecond / 2);
+  for (int half = 24; half < 28; ++half) EXPECT_EQ(guard.judge(half * kSecond / 2), Verdict::suspect) << half;
+  EXPECT_EQ(guard.judge(14 * kSecond), Verdict::new_clock);
+  EXPECT_EQ(guard.judge(29 * kSecond / 2), Verdict::in_order);
 }
 
 TEST(ClockGuard, StrayTimesAmongGoodOnesNeverMakeAClock) {
@@ -59,12 +97,14 @@ TEST(ClockGuard, AdoptsSuspectsOnlyNearTheGivenTime) {
   guard.judge(kSecond);
   EXPECT_FALSE(guard.adopt_suspects_near(kHour));
   EXPECT_TRUE(guard.adopt_suspects_near(2 * kSecond));
-  EXPECT_EQ(guard.judge(3 * kSecond), Verdict::in_order);
+  EXPECT_EQ(guard.judge(3 * kSecond / 2), Verdict::in_order);
 }
 
 TEST(ClockGuard, RefusesParamsOutOfRange) {
   EXPECT_THROW(ClockGuard({0, 5}), std::invalid_argument);
   EXPECT_THROW(ClockGuard({1, 0}), std::invalid_argument);
+  EXPECT_THROW(ClockGuard({1, 1, -1}), std::invalid_argument);
+  EXPECT_THROW(ClockGuard({1, 1, 0, 0}), std::invalid_argument);
 }
 
 }  // namespace

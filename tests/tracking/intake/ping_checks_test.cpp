@@ -48,7 +48,7 @@ TEST(PingChecks, NameTheDefectOfAScan) {
   EXPECT_EQ(broken([](auto& s) { s.num_beams = 100; }), "bearings out of range");  // 10 rad in all.
   EXPECT_EQ(broken([](auto& s) { s.max_range = 1e300; }), "maximum range out of range");
   EXPECT_EQ(broken([](auto& s) { s.T_body_sonar.heading = kNan; }), "mount out of range");
-  EXPECT_EQ(broken([](auto& s) { s.returns[0].intensity = kNan; }), "a return is not finite");
+  EXPECT_EQ(broken([](auto& s) { s.returns[0].range = kNan; }), "");  // A silence.
 }
 
 TEST(PingChecks, NameTheDefectOfAnImageAndOfAState) {
@@ -70,16 +70,29 @@ TEST(PingChecks, DropReturnsOutOfRangeAndOutOfSector) {
   auto scan = good_scan();  // The sector's edges are at -0.15 and 0.15.
   scan.returns = {{0.0, 100.0, 1}, {0.0, 100.1, 1}, {0.0, 0.0, 1},   {0.0, -5.0, 1},
                   {0.14, 50.0, 1}, {0.16, 50.0, 1}, {-0.16, 50.0, 1}};
-  EXPECT_EQ(drop_out_of_bounds(scan), 5);
+  const DroppedReturns dropped = drop_returns(scan);
+  EXPECT_EQ(dropped.out_of_bounds, 4);
+  EXPECT_EQ(dropped.silent, 1);  // Range 0.
   ASSERT_EQ(scan.returns.size(), 2u);
   EXPECT_EQ(scan.returns[0].range, 100.0);
   EXPECT_EQ(scan.returns[1].bearing, 0.14);
 }
 
+TEST(PingChecks, TakeWhatIsNotFiniteForASilence) {
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  auto scan = good_scan();
+  scan.returns = {{0.0, kInf, 1}, {0.0, -kInf, 1},  {0.0, kNan, 1},
+                  {kNan, 5.0, 1}, {0.0, 5.0, kNan}, {0.0, 5.0, 1}};
+  const DroppedReturns dropped = drop_returns(scan);
+  EXPECT_EQ(dropped.silent, 5);
+  EXPECT_EQ(dropped.out_of_bounds, 0);
+  EXPECT_EQ(scan.returns.size(), 1u);
+}
+
 TEST(PingChecks, TurnBearingsOfAnotherTurnIntoTheSector) {
   auto scan = good_scan();
   scan.returns = {{0.05 + 2.0 * std::numbers::pi, 50.0, 1}, {1e300, 50.0, 1}};
-  EXPECT_EQ(drop_out_of_bounds(scan), 1);
+  EXPECT_EQ(drop_returns(scan).out_of_bounds, 1);
   EXPECT_NEAR(scan.returns.at(0).bearing, 0.05, 1e-12);
 }
 

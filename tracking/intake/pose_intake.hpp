@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "core/pose_history.hpp"
+#include "tracking/intake/clock_guard.hpp"
+
+namespace lookout::tracking {
+
+/// Takes the vehicle's states as they come and gives the pose at a ping's time. States may come late, cross
+/// one another and repeat; one bad stamp is refused alone, and several that agree are a new clock.
+class PoseIntake {
+ public:
+  /// Who is told.
+  struct Sink {
+    std::function<void(const core::VehicleState&, std::string_view reason)>
+        refuse;  ///< A state is not believed.
+    /// A state is believed; `new_clock`: the first of a new clock, before which all others are forgotten.
+    std::function<void(const core::VehicleState&, bool new_clock)> believe;
+  };
+
+  /// @param max_bracket states farther apart are not interpolated across [us].
+  PoseIntake(Sink sink, std::int64_t max_bracket, const ClockGuardParams& clock);
+
+  void add(const core::VehicleState& state);  ///< The next one in the order of arrival.
+
+  /// A ping is on a new clock at `utime`: believes the states that are on it already.
+  void begin_new_clock(std::int64_t utime);
+  void start_new_clock();  ///< The next state is the first of a new clock.
+  void finish();           ///< There is no more: what nothing speaks against is believed.
+
+  const core::PoseHistory& poses() const { return poses_; }                   ///< Of what is believed.
+  std::optional<std::int64_t> newest_utime() const { return clock_.last(); }  ///< Of what is believed [us].
+
+ private:
+  void believe(const core::VehicleState& state, bool new_clock);
+  void believe_held(bool new_clock);
+  void refuse_held();
+
+  Sink sink_;
+  ClockGuard clock_;
+  core::PoseHistory poses_;
+  std::vector<core::VehicleState> held_;  ///< Suspect, and each later than the one before.
+};
+
+}  // namespace lookout::tracking
