@@ -50,6 +50,14 @@ TEST(LogReader, ReadsAWholeLogWithoutDamage) {
   EXPECT_EQ(log.bytes_lost(), 0);
 }
 
+TEST(LogReader, SaysWhereTheBytesOfAMessageStand) {
+  const tests::TemporaryDirectory directory;
+  LogReader log(write_log(directory));
+  log.next();
+  // The second event's bytes stand behind one event and the second's header and channel name.
+  EXPECT_EQ(log.next()->offset, kEventSize + 28 + 7);
+}
+
 TEST(LogReader, CountsACutEnd) {
   const tests::TemporaryDirectory directory;
   const std::string path = write_log(directory);
