@@ -194,6 +194,19 @@ void declare_experiment(CLI::App& app, Options& options) {
   app.add_flag("--resume", options.resume, "Go on where an interrupted experiment stopped");
 }
 
+void declare_watch(CLI::App& app, Options& options) {
+  app.add_option("LOG", options.inputs, "LCM log to look through; without one, live")->expected(0, 1);
+  app.add_option("--http", options.http, "PORT or ADDRESS:PORT to serve at")->capture_default_str();
+  app.add_option("--decisions", options.decisions,
+                 "File that a tracker's --explain lines go to: shown with their track");
+  add_live(app, options);
+}
+
+void declare_status(CLI::App& app, Options& options) {
+  app.add_flag("--once", options.once, "Listen some seconds, print, exit with 0 (healthy) or 1");
+  add_live(app, options);
+}
+
 struct Command {
   const char* name;
   const char* summary;
@@ -227,6 +240,10 @@ constexpr Command kCommands[] = {
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
      "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
      experiment_command},
+    {"watch", "Shows what the sonar hears and the tracker believes, live or out of a log, in a browser.",
+     "lookout watch --http 8080", declare_watch, watch_command},
+    {"status", "Shows in a terminal whether the chain is healthy, and why not.", "lookout status --once",
+     declare_status, status_command},
 };
 
 /// One line for a person; the status for a script.

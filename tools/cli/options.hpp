@@ -46,6 +46,9 @@ struct Options {
   std::vector<std::string> only;
   bool resume = false;
   bool list = false;
+  std::string http = "8080";  ///< PORT or ADDRESS:PORT of `watch`.
+  std::string decisions;      ///< File of a tracker's --explain lines, for `watch`.
+  bool once = false;          ///< `status` prints once and ends.
 };
 
 }  // namespace lookout::tools

@@ -16,5 +16,7 @@ int ospa_command(const Options& options);
 int tbd_command(const Options& options);
 int experiment_command(const Options& options);
 int initiate_command(const Options& options);
+int watch_command(const Options& options);
+int status_command(const Options& options);
 
 }  // namespace lookout::tools
