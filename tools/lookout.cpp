@@ -207,6 +207,18 @@ void declare_status(CLI::App& app, Options& options) {
   add_live(app, options);
 }
 
+void declare_plot(CLI::App& app, Options& options) {
+  app.add_option("INPUT", options.inputs, "Directory of run, replay or anyone's recording, or an LCM log")
+      ->expected(1)
+      ->required();
+  app.add_option("--out", options.out,
+                 "FILE.png, .pdf or .gif (default: lookout.png and .pdf in the directory)");
+  app.add_flag("--animate", options.animate, "Also draw an animation, a GIF");
+  app.add_option("--channel-prefix", options.channel_prefix,
+                 "Of the vehicle whose channels to take from a log");
+  add_scoring(app, options);
+}
+
 struct Command {
   const char* name;
   const char* summary;
@@ -244,6 +256,8 @@ constexpr Command kCommands[] = {
      "lookout watch --http 8080", declare_watch, watch_command},
     {"status", "Shows in a terminal whether the chain is healthy, and why not.", "lookout status --once",
      declare_status, status_command},
+    {"plot", "Draws a run, a replay, a log or anyone's recording.", "lookout plot out/run", declare_plot,
+     plot_command},
 };
 
 /// One line for a person; the status for a script.

@@ -49,6 +49,7 @@ struct Options {
   std::string http = "8080";  ///< PORT or ADDRESS:PORT of `watch`.
   std::string decisions;      ///< File of a tracker's --explain lines, for `watch`.
   bool once = false;          ///< `status` prints once and ends.
+  bool animate = false;       ///< `plot` also draws a GIF.
 };
 
 }  // namespace lookout::tools

@@ -28,7 +28,7 @@ void make_directory(const std::string& path) {
   if (error) throw core::InputError(path + ": cannot be created: " + error.message());
 }
 
-void run_plot_script(const std::string& script, const std::vector<std::string>& arguments) {
+bool run_plot_script(const std::string& script, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"/usr/bin/python3", tools_directory() + "/" + script};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -38,6 +38,7 @@ void run_plot_script(const std::string& script, const std::vector<std::string>& 
   int status = -1;
   if (posix_spawn(&child, argv[0], nullptr, nullptr, argv.data(), environ) == 0) waitpid(child, &status, 0);
   if (status != 0) log_warning(script + " made no plots (python3-matplotlib draws them)");
+  return status == 0;
 }
 
 }  // namespace lookout::tools

@@ -13,7 +13,7 @@ std::string tools_directory();
 void make_directory(const std::string& path);
 
 /// Runs a Python script of the tools directory on its arguments. A failure is a warning, never more: the data
-/// are written already.
-void run_plot_script(const std::string& script, const std::vector<std::string>& arguments);
+/// are written already. Returns whether it went well.
+bool run_plot_script(const std::string& script, const std::vector<std::string>& arguments);
 
 }  // namespace lookout::tools

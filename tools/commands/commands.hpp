@@ -18,5 +18,6 @@ int experiment_command(const Options& options);
 int initiate_command(const Options& options);
 int watch_command(const Options& options);
 int status_command(const Options& options);
+int plot_command(const Options& options);
 
 }  // namespace lookout::tools

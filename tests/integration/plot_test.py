@@ -1,0 +1,115 @@
+#!/usr/bin/python3
+"""Pictures of a run, of its parts, of a log and of what is damaged: `lookout plot` and tools/plot_run.py behind it.
+
+usage: plot_test.py LOOKOUT SCENARIO. Status 77 where matplotlib is missing.
+"""
+import importlib.util
+import itertools
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+LOOKOUT, SCENARIO = sys.argv[1:3]
+MAGIC = {".png": b"\x89PNG", ".pdf": b"%PDF", ".gif": b"GIF8"}
+
+
+def lookout(*words):
+    return subprocess.run([LOOKOUT, *map(str, words)], capture_output=True, text=True, check=False)
+
+
+def is_picture(path):
+    return path.is_file() and path.read_bytes().startswith(MAGIC[path.suffix]) and path.stat().st_size > 2000
+
+
+def check(condition, what):
+    print(("ok: " if condition else "FAILED: ") + what)
+    if not condition:
+        sys.exit(1)
+
+
+def plot_run_module():
+    spec = importlib.util.spec_from_file_location("plot_run", ROOT / "tools/plot_run.py")
+    module = importlib.util.module_from_spec(spec)
+    try:
+        spec.loader.exec_module(module)
+    except SystemExit as error:
+        print(f"SKIPPED: {error}")
+        sys.exit(77)
+    return module
+
+
+def draw(module, directory, path):
+    """The exit status of the script, in this process; whatever it throws is thrown here."""
+    sys.argv = ["plot_run.py", str(directory), str(path)]
+    return module.main()
+
+
+def check_run(run):
+    result = lookout("plot", run)
+    check(result.returncode == 0, f"a run is drawn: {result.stderr.strip()}")
+    check(is_picture(run / "lookout.png") and is_picture(run / "lookout.pdf"), "PNG and PDF lie beside it")
+    result = lookout("plot", run, "--out", run / "film.gif")
+    check(result.returncode == 0 and is_picture(run / "film.gif"), "an animation on request")
+
+
+def check_log(folder):
+    log = folder / "a.lcmlog"
+    lookout("sim", SCENARIO, "--lcm-url", f"file://{log}?mode=w", "--speed", "max")
+    result = lookout("plot", log)
+    check(result.returncode == 0 and is_picture(folder / "a.lcmlog.png"), f"the log of sim is drawn: {result.stderr.strip()}")
+
+
+def check_parts(module, run, folder):
+    names = ["scans.csv", "vehicle.csv", "truth.csv", "tracks.csv", "ospa.csv", "sonar.yaml"]
+    some = [set(names) - {name} for name in names] + [{name} for name in names]
+    for kept, cut in itertools.chain(((kept, False) for kept in some), [(set(names), True)]):
+        part = pathlib.Path(tempfile.mkdtemp(dir=folder))
+        for name in kept:
+            text = (run / name).read_text()
+            (part / name).write_text(text[: len(text) // 3] if cut else text)
+        status = draw(module, part, part / "a.png")
+        drawn = kept != {"sonar.yaml"}
+        check(status == (0 if drawn else 2) and is_picture(part / "a.png") == drawn, f"{'cut ' if cut else ''}{sorted(kept)}")
+
+
+def check_oddities(module, folder):
+    odd = folder / "odd"
+    odd.mkdir()
+    (odd / "tracks.csv").write_text("time_s,id,north_m,east_m\n0,1,1,2\n1,1,x,3\n2,1\n3,,4,5\nnan,2,inf,0\n")
+    check(draw(module, odd, odd / "a.png") == 0, "rows that say nothing are left out")
+    (odd / "tracks.csv").write_text("time_s;id;north_m;east_m\r\n0,5;1;1,5;2,5\r\n")
+    (odd / "scans.csv").write_bytes(b"\xef\xbb\xbftime_s,bearing_rad,range_m,intensity\n0,0.1,30,1\n1,,,\n")
+    check(draw(module, odd, odd / "b.png") == 0, "another country's CSV, returns without vehicle poses")
+    check(draw(module, odd, odd / "b.gif") == 0, "and its animation")
+    (odd / "tracks.csv").write_bytes(bytes(range(256)) * 20)
+    check(draw(module, odd, odd / "c.png") == 0, "no CSV at all beside it")
+
+
+def check_usage(run):
+    for words in (["plot", "/no/such"], ["plot", run, "--out", "a.jpg"], ["plot", ROOT / "README.md"], ["plot", run, "--cutoff", "0"],
+                  ["plot", ROOT / "docs"], ["plot", run, "--out", "/no/such/a.png"]):
+        result = lookout(*words)
+        check(result.returncode == 2 and result.stderr.count("\n") == 1, f"status 2, one line: {result.stderr.strip()}")
+
+
+def main():
+    module = plot_run_module()
+    folder = pathlib.Path(tempfile.mkdtemp())
+    try:
+        run = folder / "run"
+        check(lookout("run", SCENARIO, "--tracker", "gnn", "--estimator", "ransac", "--out", run).returncode == 0, "a run")
+        check_usage(run)
+        check_run(run)
+        check_log(folder)
+        check_parts(module, run, folder)
+        check_oddities(module, folder)
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+    print("passed")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,47 @@
+#include "tools/cli/log_tables.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <lcm/lcm-cpp.hpp>
+
+#include "core/csv.hpp"
+#include "core/input_error.hpp"
+#include "core/recording.hpp"
+#include "tests/lcmtypes/example_messages.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace lookout::tools {
+namespace {
+
+template <class Wire>
+void log(lcm::LogFile& file, const std::string& channel, const Wire& wire) {
+  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(wire.getEncodedSize()));
+  wire.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
+  lcm::LogEvent event{};
+  event.channel = channel;
+  event.datalen = static_cast<int>(bytes.size());
+  event.data = bytes.data();
+  file.writeEvent(&event);
+}
+
+TEST(LogTables, AreTheRecordingAndTheTracksWithTheirCovariance) {
+  const tests::TemporaryDirectory directory;
+  {
+    lcm::LogFile file(directory.file("log"), "w");
+    const core::Track track = tests::example_track(7);
+    log(file, "VEHICLE_STATE", lcmtypes::to_wire(tests::example_state()));
+    log(file, "SONAR_SCAN", lcmtypes::to_wire(tests::example_scan()));
+    log(file, "TRACKS", lcmtypes::to_wire({2'000'000, 4, 0}, std::span(&track, 1)).message);
+  }
+  write_log_tables(directory.file("log"), "", directory.path());
+  EXPECT_EQ(core::read_recording(directory.path()).scans.at(0).returns.size(), 2u);
+  constexpr std::array<std::string_view, 2> kColumns{"covariance_ne_m2", "covariance_ee_m2"};
+  const core::CsvTable table(directory.file("tracks.csv"), kColumns);
+  EXPECT_EQ(table.number(0, "covariance_ne_m2"), 1.0);  // Element (0, 1) of the example's 0, 1, ..., 15.
+  EXPECT_EQ(table.number(0, "covariance_ee_m2"), 5.0);  // Element (1, 1).
+  EXPECT_THROW(write_log_tables(directory.file("log"), "AUV1_", directory.path()), core::InputError);
+}
+
+}  // namespace
+}  // namespace lookout::tools

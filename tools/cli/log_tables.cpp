@@ -1,0 +1,95 @@
+#include "tools/cli/log_tables.hpp"
+
+#include <vector>
+
+#include "core/csv.hpp"
+#include "core/field_of_view.hpp"
+#include "core/input_error.hpp"
+#include "core/recording.hpp"
+#include "lcmtypes/channels.hpp"
+#include "lcmtypes/convert_reports.hpp"
+#include "lcmtypes/inbox.hpp"
+#include "lcmtypes/log_reader.hpp"
+#include "tools/cli/tracked_run.hpp"
+
+namespace lookout::tools {
+namespace {
+
+struct LogContent {
+  core::Recording recording;
+  std::vector<lcmtypes::KeyedTracks> tracks;
+  std::vector<lcmtypes::OspaReport> ospa;
+
+  bool empty() const {
+    return recording.scans.empty() && recording.vehicle.empty() && tracks.empty() && ospa.empty();
+  }
+};
+
+LogContent read(const std::string& path, const lcmtypes::Channels& channels) {
+  LogContent content;
+  lcmtypes::Inbox inbox;
+  inbox.on<vehicle_state_t>(channels.vehicle_state(), [&](const core::VehicleState& state) {
+    content.recording.vehicle.push_back(state);
+  });
+  inbox.on<sonar_scan_t>(channels.sonar_scan(),
+                         [&](core::SonarScan scan) { content.recording.scans.push_back(std::move(scan)); });
+  inbox.on<ground_truth_t>(channels.ground_truth(), [&](core::GroundTruth truth) {
+    content.recording.truth.push_back(std::move(truth));
+  });
+  inbox.on<track_list_t>(channels.tracks(),
+                         [&](lcmtypes::KeyedTracks tracks) { content.tracks.push_back(std::move(tracks)); });
+  inbox.on_bytes(channels.ospa(), [&](std::span<const std::uint8_t> bytes) {
+    if (const auto report = lcmtypes::read_ospa(bytes)) content.ospa.push_back(*report);
+  });
+  lcmtypes::LogReader log(path);
+  while (const auto message = log.next())
+    inbox.take(message->channel, message->bytes.data(), message->bytes.size());
+  return content;
+}
+
+void write_tracks(const std::string& path, const std::vector<lcmtypes::KeyedTracks>& lists) {
+  core::CsvWriter csv(path,
+                      "time_s,id,status,north_m,east_m,north_velocity_mps,east_velocity_mps,existence,"
+                      "covariance_nn_m2,covariance_ne_m2,covariance_ee_m2");
+  for (const auto& list : lists) {
+    for (const auto& track : list.tracks) {
+      csv.number(core::seconds(list.key.utime)).integer(track.id).text(core::to_string(track.status));
+      for (const double value : track.state) csv.number(value);
+      csv.number(track.existence).number(track.covariance(0, 0)).number(track.covariance(0, 1));
+      csv.number(track.covariance(1, 1)).end_row();
+    }
+  }
+  csv.close();
+}
+
+void write_ospa(const std::string& path, const std::vector<lcmtypes::OspaReport>& reports) {
+  core::CsvWriter csv(path, "time_s,total,localization,cardinality,num_truth,num_tracks");
+  for (const auto& report : reports)
+    csv.number(core::seconds(report.utime))
+        .number(report.total)
+        .number(report.localization)
+        .number(report.cardinality)
+        .integer(report.num_truth)
+        .integer(report.num_tracks)
+        .end_row();
+  csv.close();
+}
+
+}  // namespace
+
+void write_log_tables(const std::string& log, const std::string& channel_prefix,
+                      const std::string& directory) {
+  LogContent content = read(log, lcmtypes::Channels(channel_prefix));
+  if (content.empty())
+    throw core::InputError(log + ": holds no SONAR_SCAN, VEHICLE_STATE, TRACKS or OSPA" +
+                           (channel_prefix.empty() ? "; perhaps a --channel-prefix is needed"
+                                                   : " with the prefix " + channel_prefix));
+  keep_in_order(content.recording.vehicle);
+  if (!content.recording.scans.empty())
+    content.recording.params = core::with_geometry_of(content.recording.scans.front(), {});
+  core::write_recording(directory, content.recording);
+  if (!content.tracks.empty()) write_tracks(directory + "/tracks.csv", content.tracks);
+  if (!content.ospa.empty()) write_ospa(directory + "/ospa.csv", content.ospa);
+}
+
+}  // namespace lookout::tools
