@@ -7,12 +7,11 @@
 
 namespace lookout::sonar_sim {
 
-std::vector<BeamTarget> visible_targets(const core::SonarParams& params, const core::Pose2& T_earth_sonar,
-                                        const core::GroundTruth& truth) {
+std::vector<BeamTarget> visible_targets(const Ping& ping, const core::GroundTruth& truth) {
   std::vector<BeamTarget> targets;
-  for (const auto& target : truth.targets) {
-    const core::SonarPoint point = core::observe(params, T_earth_sonar, target.position);
-    if (point.visible()) targets.push_back({point.beam, point.range, point.bearing});
+  for (std::size_t i = 0; i < truth.targets.size(); ++i) {
+    const auto point = core::observe(ping.params, ping.T_earth_sonar, truth.targets[i].position);
+    if (point.visible()) targets.push_back({ping.fan.beam_of(point.bearing), point.range, point.bearing, i});
   }
   std::sort(targets.begin(), targets.end(), [](const BeamTarget& a, const BeamTarget& b) {
     return std::tie(a.beam, a.range) < std::tie(b.beam, b.range);
@@ -20,10 +19,14 @@ std::vector<BeamTarget> visible_targets(const core::SonarParams& params, const c
   return targets;
 }
 
-std::vector<BeamTarget> beam_owners(std::vector<BeamTarget> visible) {
-  const auto same_beam = [](const BeamTarget& a, const BeamTarget& b) { return a.beam == b.beam; };
-  visible.erase(std::unique(visible.begin(), visible.end(), same_beam), visible.end());
-  return visible;
+std::vector<BeamTarget> beam_owners(const std::vector<BeamTarget>& visible, int returns_per_beam) {
+  std::vector<BeamTarget> owners;
+  int in_beam = 0;
+  for (std::size_t i = 0; i < visible.size(); ++i) {
+    in_beam = i > 0 && visible[i].beam == visible[i - 1].beam ? in_beam + 1 : 1;
+    if (in_beam <= returns_per_beam) owners.push_back(visible[i]);
+  }
+  return owners;
 }
 
 }  // namespace lookout::sonar_sim

@@ -2,16 +2,36 @@
 
 #include <algorithm>
 
-#include "sonar_sim/beam_model.hpp"
-#include "sonar_sim/echo_noise.hpp"
 #include "sonar_sim/image_noise.hpp"
 
 namespace lookout::sonar_sim {
 namespace {
 
-/// One index of the random stream for each (run, platform, purpose).
-std::uint64_t stream_index(std::uint64_t run, std::size_t platform, std::uint64_t purpose) {
-  return (static_cast<std::uint64_t>(platform) * 2 + purpose) << 40 | run;
+constexpr double kLargestReportShare = 0.25;  // of the scan period
+
+template <class State>
+void append(std::vector<State>& all, const std::vector<State>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+std::vector<SimulatedSonar> make_sonars(const Scene& scene, const PlatformPlan& platform, StreamKey key) {
+  std::vector<SimulatedSonar> sonars;
+  for (const SonarPlan* plan : all_sonars(platform)) {
+    key.sonar = sonars.size();
+    sonars.emplace_back(*plan, scene, key, platform.node_id + static_cast<std::int32_t>(key.sonar));
+  }
+  return sonars;
+}
+
+double report_offset(const PlatformPlan& platform) {
+  double offset = SonarSimulator::kReportOffset;
+  for (const SonarPlan* plan : all_sonars(platform))
+    offset = std::min(offset, kLargestReportShare * plan->params.scan_period);
+  return offset;
+}
+
+core::Random image_stream(const StreamKey& key) {
+  return {key.seed, core::RandomStream::images, static_cast<std::uint64_t>(key.platform) * 2 << 40 | key.run};
 }
 
 }  // namespace
@@ -21,37 +41,74 @@ SonarSimulator::SonarSimulator(const Scene& scene, std::uint64_t seed, std::uint
     : scene_(scene),
       platform_index_(platform),
       motion_(scene_.platforms.at(platform).vehicle),
-      random_(seed, core::RandomStream::simulator, stream_index(run, platform, 0)),
-      navigation_random_(seed, core::RandomStream::simulator, stream_index(run, platform, 1)),
-      image_random_(seed, core::RandomStream::images, stream_index(run, platform, 0)) {}
+      sonars_(make_sonars(scene_, scene_.platforms[platform], {seed, run, platform})),
+      navigation_random_(open_stream({seed, run, platform}, StreamPurpose::navigation)),
+      pose_errors_(scene_.platforms[platform].vehicle.navigation.drift,
+                   open_stream({seed, run, platform}, StreamPurpose::pose_drift)),
+      image_random_(image_stream({seed, run, platform})),
+      report_offset_(report_offset(scene_.platforms[platform])) {}
 
 std::optional<SimulatedScan> SonarSimulator::next() {
-  if (index_ >= num_scans(scene_, platform())) return std::nullopt;
-  const double period = platform().sonar.params.scan_period;
-  const double time = index_ * period;
+  std::vector<core::VehicleState> states_of_lost_scans;
+  while (SimulatedSonar* sonar = next_sonar()) {
+    SimulatedScan simulated;
+    const bool lost = !ping(*sonar, simulated);
+    if (lost) {
+      append(states_of_lost_scans, simulated.states_before);
+      append(states_of_lost_scans, simulated.states_after);
+      continue;
+    }
+    simulated.states_before.insert(simulated.states_before.begin(), states_of_lost_scans.begin(),
+                                   states_of_lost_scans.end());
+    return simulated;
+  }
+  return std::nullopt;
+}
 
-  SimulatedScan simulated;
-  report(std::max(0.0, time - kReportOffset));
+SimulatedSonar* SonarSimulator::next_sonar() {
+  SimulatedSonar* earliest = nullptr;
+  for (auto& sonar : sonars_) {
+    if (sonar.over()) continue;
+    if (earliest == nullptr || sonar.next_time() < earliest->next_time()) earliest = &sonar;
+  }
+  return earliest;
+}
+
+/// One ping with the reports around it. @return whether its scan left the sonar.
+bool SonarSimulator::ping(SimulatedSonar& sonar, SimulatedScan& simulated) {
+  const double time = sonar.next_time();
+  report(std::max(0.0, time - report_offset_));
   simulated.states_before = arrived_by(time);
   simulated.truth = truth_at(scene_, platform(), motion_, time);
-  simulated.T_earth_sonar =
-      core::compose(motion_.at(time).T_earth_body, platform().sonar.params.T_body_sonar);
-  simulated.scan = make_scan(simulated.truth, simulated.T_earth_sonar);
-  if (platform().image) simulated.image = make_image(simulated.truth, simulated.T_earth_sonar);
-  report(time + kReportOffset);
-  simulated.states_after = arrived_by(time + period - kReportOffset);
-  ++index_;
-  return simulated;
+  simulated.T_earth_sonar = sonar.pose_on(motion_.at(time).T_earth_body);
+  auto scan = sonar.ping(simulated.truth, simulated.T_earth_sonar);
+  report(time + report_offset_);
+  simulated.states_after = arrived_by(time_of_next_ping() - report_offset_);
+  if (scan) simulated.scan = std::move(*scan);
+  if (platform().image && &sonar == &sonars_.front()) simulated.image = make_image(simulated);
+  return scan.has_value();
+}
+
+double SonarSimulator::time_of_next_ping() const {
+  double time = sonars_.front().next_time();
+  for (const auto& sonar : sonars_) time = std::min(time, sonar.next_time());
+  return time;
 }
 
 void SonarSimulator::report(double time) {
+  // The reports around another sonar's ping may serve this one too.
+  const std::int64_t utime = core::microseconds(time);
+  if (utime <= last_report_) return;
+  last_report_ = utime;
   const NavigationFaults& faults = platform().vehicle.navigation;
+  const core::Pose2 error = pose_errors_.at(time);
   const double jitter = navigation_random_.uniform(-faults.time_jitter, faults.time_jitter);
   core::VehicleState state = motion_.at(std::max(0.0, time + jitter));
-  state.T_earth_body.north += navigation_random_.gaussian(faults.position_sigma);
-  state.T_earth_body.east += navigation_random_.gaussian(faults.position_sigma);
-  state.T_earth_body.heading =
-      core::wrap_to_pi(state.T_earth_body.heading + navigation_random_.gaussian(faults.heading_sigma));
+  core::Pose2& pose = state.T_earth_body;
+  pose.north += error.north + navigation_random_.gaussian(faults.position_sigma);
+  pose.east += error.east + navigation_random_.gaussian(faults.position_sigma);
+  pose.heading =
+      core::wrap_to_pi(pose.heading + (error.heading + navigation_random_.gaussian(faults.heading_sigma)));
   const bool lost = navigation_random_.bernoulli(faults.loss_probability);
   if (!lost) reports_.push_back({core::seconds(state.utime) + faults.delay, state});
 }
@@ -65,34 +122,15 @@ std::vector<core::VehicleState> SonarSimulator::arrived_by(double time) {
   return arrived;
 }
 
-core::SonarScan SonarSimulator::make_scan(const core::GroundTruth& truth, const core::Pose2& T_earth_sonar) {
-  const SonarPlan& sonar = platform().sonar;
-  core::SonarScan scan;
-  scan.utime = truth.utime;
-  scan.sequence = index_;
-  scan.sensor_id = platform().node_id;
-  scan.T_body_sonar = sonar.params.T_body_sonar;
-  scan.first_bearing = sonar.params.first_bearing;
-  scan.bearing_step = sonar.params.bearing_step;
-  scan.max_range = sonar.params.max_range;
-  scan.num_beams = sonar.params.num_beams;
-  const auto visible = visible_targets(sonar.params, T_earth_sonar, truth);
-  scan.returns = sonar.params.point_sensor() ? draw_point_returns(sonar, visible, random_)
-                                             : draw_beam_returns(sonar, beam_owners(visible),
-                                                                 static_cast<int>(visible.size()), random_);
-  return scan;
-}
-
-core::SonarImage SonarSimulator::make_image(const core::GroundTruth& truth,
-                                            const core::Pose2& T_earth_sonar) {
+core::SonarImage SonarSimulator::make_image(const SimulatedScan& simulated) {
   std::vector<double> snr_db;
-  for (const auto& target : truth.targets)
+  for (const auto& target : simulated.truth.targets)
     for (const auto& plan : scene_.targets)
       if (plan.id == target.id) snr_db.push_back(plan.snr_db.value_or(platform().image->snr_db));
-  core::SonarImage image =
-      draw_image(platform().sonar.params, *platform().image, T_earth_sonar, truth, snr_db, image_random_);
-  image.sequence = index_;
-  image.sensor_id = platform().node_id;
+  core::SonarImage image = draw_image(platform().sonar.params, *platform().image, simulated.T_earth_sonar,
+                                      simulated.truth, snr_db, image_random_);
+  image.sequence = simulated.scan.sequence;
+  image.sensor_id = simulated.scan.sensor_id;
   return image;
 }
 

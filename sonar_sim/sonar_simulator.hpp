@@ -11,6 +11,8 @@
 #include "core/sonar_image.hpp"
 #include "core/sonar_scan.hpp"
 #include "sonar_sim/scene.hpp"
+#include "sonar_sim/sea/pose_errors.hpp"
+#include "sonar_sim/simulated_sonar.hpp"
 
 namespace lookout::sonar_sim {
 
@@ -24,17 +26,18 @@ struct SimulatedScan {
   core::Pose2 T_earth_sonar;                      ///< True pose of the sonar, which no tracker is told.
 };
 
-/// The front door of the simulator: one platform of a scene, scan by scan.
+/// The front door of the simulator: one platform of a scene, scan by scan, its sonars in order of time.
 class SonarSimulator {
  public:
-  /// How long before and after its scan a navigation report is made [s].
+  /// How long before and after its scan a navigation report is made [s]; at most a quarter of the shortest
+  /// scan period, so that reports of one scan never cross those of the next.
   static constexpr double kReportOffset = 0.05;
 
   /// @param run index of the Monte Carlo run; (seed, platform, run) alone fix every draw.
   /// @param platform index into scene.platforms.
   SonarSimulator(const Scene& scene, std::uint64_t seed, std::uint64_t run = 0, std::size_t platform = 0);
 
-  /// The next scan; nothing once the scene is over.
+  /// The next scan that is not lost; nothing once the scene is over.
   std::optional<SimulatedScan> next();
 
   const Scene& scene() const { return scene_; }  ///< As given.
@@ -42,11 +45,12 @@ class SonarSimulator {
   const PlatformPlan& platform() const { return scene_.platforms[platform_index_]; }
 
  private:
+  SimulatedSonar* next_sonar();
+  bool ping(SimulatedSonar& sonar, SimulatedScan& simulated);
+  double time_of_next_ping() const;
   void report(double time);
   std::vector<core::VehicleState> arrived_by(double time);
-  core::SonarScan make_scan(const core::GroundTruth& truth, const core::Pose2& T_earth_sonar);
-
-  core::SonarImage make_image(const core::GroundTruth& truth, const core::Pose2& T_earth_sonar);
+  core::SonarImage make_image(const SimulatedScan& simulated);
 
   struct Report {
     double arrival = 0.0;  ///< [s]
@@ -56,11 +60,13 @@ class SonarSimulator {
   Scene scene_;
   std::size_t platform_index_;
   VehicleMotion motion_;
-  core::Random random_;
+  std::vector<SimulatedSonar> sonars_;
   core::Random navigation_random_;  ///< Of its own, so that navigation faults leave the echoes as they are.
-  core::Random image_random_;       ///< Of its own, so that scans are the same with images and without.
-  std::deque<Report> reports_;      ///< On their way.
-  int index_ = 0;
+  PoseErrors pose_errors_;
+  core::Random image_random_;  ///< Of its own, so that scans are the same with images and without.
+  double report_offset_;
+  std::deque<Report> reports_;     ///< On their way.
+  std::int64_t last_report_ = -1;  ///< When it was made [us].
 };
 
 }  // namespace lookout::sonar_sim

@@ -99,12 +99,10 @@ bool SonarSimulatorNode::pace(lcmtypes::NodeLoop& loop, Clock::time_point start,
                          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wall)));
 }
 
-void SonarSimulatorNode::send(const Vehicle& vehicle) {
+void SonarSimulatorNode::send(Vehicle& vehicle) {
   const SimulatedScan& simulated = *vehicle.next;
   for (const auto& state : simulated.states_before) publish_state(vehicle, state);
-  core::GroundTruth truth = simulated.truth;
-  truth.utime += params_.start_utime;
-  bus_.publish(vehicle.channels.ground_truth(), lcmtypes::to_wire(truth));
+  publish_truth(vehicle, simulated.truth);
   core::SonarScan scan = simulated.scan;
   scan.utime += params_.start_utime;
   bus_.publish(vehicle.channels.sonar_scan(), lcmtypes::to_wire(scan));
@@ -112,6 +110,14 @@ void SonarSimulatorNode::send(const Vehicle& vehicle) {
   for (const auto& state : simulated.states_after) publish_state(vehicle, state);
   newest_utime_ = scan.utime;
   ++figures_.scans;
+}
+
+void SonarSimulatorNode::publish_truth(Vehicle& vehicle, core::GroundTruth truth) {
+  // Two sonars that ping at the same time see the same truth.
+  if (vehicle.told == truth.utime) return;
+  vehicle.told = truth.utime;
+  truth.utime += params_.start_utime;
+  bus_.publish(vehicle.channels.ground_truth(), lcmtypes::to_wire(truth));
 }
 
 void SonarSimulatorNode::publish_state(const Vehicle& vehicle, core::VehicleState state) {

@@ -49,13 +49,15 @@ class SonarSimulatorNode {
     SonarSimulator simulator;
     lcmtypes::Channels channels;
     std::optional<SimulatedScan> next;
-    std::int64_t answered = -1;  ///< Newest sequence on TRACKS.
+    std::int64_t answered = -1;                       ///< Newest sequence on TRACKS.
+    std::optional<std::int64_t> told = std::nullopt;  ///< Time of the newest GROUND_TRUTH [us].
   };
 
   bool wait_for_nodes(lcmtypes::NodeLoop& loop) const;
   Vehicle* earliest();
   bool pace(lcmtypes::NodeLoop& loop, lcmtypes::NodeLoop::Clock::time_point start, const Vehicle& vehicle);
-  void send(const Vehicle& vehicle);
+  void send(Vehicle& vehicle);
+  void publish_truth(Vehicle& vehicle, core::GroundTruth truth);
   void publish_state(const Vehicle& vehicle, core::VehicleState state);
   void publish_image(const Vehicle& vehicle, core::SonarImage image);
   bool await_tracks(lcmtypes::NodeLoop& loop, const Vehicle& vehicle);

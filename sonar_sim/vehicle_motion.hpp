@@ -5,6 +5,7 @@
 
 #include "core/frames.hpp"
 #include "core/pose_history.hpp"
+#include "sonar_sim/sea/pose_errors.hpp"
 
 namespace lookout::sonar_sim {
 
@@ -22,6 +23,7 @@ struct NavigationFaults {
   double time_jitter = 0.0;       ///< Reports are made up to this much off their usual time [s], >= 0.
   double loss_probability = 0.0;  ///< That a report is never sent, in [0, 1].
   double delay = 0.0;             ///< Reports arrive this much late [s], >= 0.
+  PoseDrift drift = {};           ///< Errors that stay from report to report.
 };
 
 /// How the vehicle moves: at constant velocity, or along waypoints. Earth frame, SI.

@@ -4,17 +4,35 @@
 
 #include <cmath>
 
+#include "sonar_sim/return_selection.hpp"
+
 namespace lookout::sonar_sim {
 namespace {
 
 constexpr int kScans = 20000;
 
-SonarPlan sonar_with(double p_f, double p_m, ClutterReading clutter = ClutterReading::literal) {
-  SonarPlan sonar;
-  sonar.params.false_alarm_probability = p_f;
-  sonar.params.miss_probability = p_m;
-  sonar.clutter = clutter;
-  return sonar;
+Ping ping_with(double p_f, double p_m, ClutterReading clutter = ClutterReading::literal) {
+  Ping ping;
+  ping.params.false_alarm_probability = p_f;
+  ping.params.miss_probability = p_m;
+  ping.clutter = clutter;
+  return ping;
+}
+
+std::vector<core::SonarReturn> draw_beam_returns(const Ping& ping, const std::vector<BeamTarget>& owners,
+                                                 int num_visible, core::Random& random) {
+  auto returns = draw_beam_echoes(ping, owners, random);
+  const auto clutter = draw_beam_clutter(ping, owners, num_visible, random);
+  returns.insert(returns.end(), clutter.begin(), clutter.end());
+  return in_order(returns);
+}
+
+std::vector<core::SonarReturn> draw_point_returns(const Ping& ping, const std::vector<BeamTarget>& visible,
+                                                  core::Random& random) {
+  auto returns = draw_point_echoes(ping, visible, random);
+  const auto clutter = draw_point_clutter(ping, random);
+  returns.insert(returns.end(), clutter.begin(), clutter.end());
+  return in_order(returns);
 }
 
 const std::vector<BeamTarget> kOneTarget{{50, 60.0, core::radians(5.2)}};
@@ -26,20 +44,20 @@ double tolerance(double rate, double trials) {
 
 TEST(EchoNoise, DetectionRateIsOneMinusMiss) {
   core::Random random(1);
-  const SonarPlan sonar = sonar_with(0.0, 0.3);
+  const Ping ping = ping_with(0.0, 0.3);
   int echoes = 0;
   for (int k = 0; k < kScans; ++k)
-    echoes += static_cast<int>(draw_beam_returns(sonar, kOneTarget, 1, random).size());
+    echoes += static_cast<int>(draw_beam_returns(ping, kOneTarget, 1, random).size());
   EXPECT_NEAR(static_cast<double>(echoes) / kScans, 0.7, tolerance(0.7, kScans));
 }
 
 TEST(EchoNoise, LiteralFalseAlarmsComeFromEmptyBeamsAlone) {
   core::Random random(2);
-  const SonarPlan sonar = sonar_with(0.3, 1.0);  // the target is always missed, so that every return is false
+  const Ping ping = ping_with(0.3, 1.0);  // the target is always missed, so that every return is false
   double alarms = 0.0, range_sum = 0.0;
   for (int k = 0; k < kScans / 10; ++k) {
-    for (const auto& echo : draw_beam_returns(sonar, kOneTarget, 1, random)) {
-      ASSERT_NE(sonar.params.beam_of(echo.bearing), 50);
+    for (const auto& echo : draw_beam_returns(ping, kOneTarget, 1, random)) {
+      ASSERT_NE(ping.params.beam_of(echo.bearing), 50);
       ASSERT_GT(echo.range, 0.0);
       ASSERT_LE(echo.range, 150.0);
       range_sum += echo.range;
@@ -52,25 +70,25 @@ TEST(EchoNoise, LiteralFalseAlarmsComeFromEmptyBeamsAlone) {
 
 TEST(EchoNoise, LightFalseAlarmsAreInProportionToDetections) {
   core::Random random(3);
-  const SonarPlan sonar = sonar_with(0.5, 0.2, ClutterReading::light);
+  const Ping ping = ping_with(0.5, 0.2, ClutterReading::light);
   // Mean .5 / .5 * 3 * .8 = 2.4 false alarms beside .8 echoes of the single owner.
   double returns = 0.0;
   for (int k = 0; k < kScans; ++k)
-    returns += static_cast<double>(draw_beam_returns(sonar, kOneTarget, 3, random).size());
+    returns += static_cast<double>(draw_beam_returns(ping, kOneTarget, 3, random).size());
   EXPECT_NEAR(returns / kScans, 2.4 + 0.8, 5.0 * std::sqrt(2.4 + 0.16) / std::sqrt(kScans));
 }
 
 TEST(EchoNoise, LightEmptySeaIsSilent) {
   core::Random random(4);
-  EXPECT_TRUE(draw_beam_returns(sonar_with(0.7, 0.1, ClutterReading::light), {}, 0, random).empty());
+  EXPECT_TRUE(draw_beam_returns(ping_with(0.7, 0.1, ClutterReading::light), {}, 0, random).empty());
 }
 
 TEST(EchoNoise, RangeErrorAndBearingQuantisation) {
   core::Random random(5);
-  const SonarPlan sonar = sonar_with(0.0, 0.0);
+  const Ping ping = ping_with(0.0, 0.0);
   double sum = 0.0, squares = 0.0;
   for (int k = 0; k < kScans; ++k) {
-    const auto returns = draw_beam_returns(sonar, kOneTarget, 1, random);
+    const auto returns = draw_beam_returns(ping, kOneTarget, 1, random);
     ASSERT_EQ(returns.size(), 1u);
     ASSERT_NEAR(core::degrees(returns[0].bearing), 5.5, 1e-9);  // centre of beam 50
     sum += returns[0].range - 60.0;
@@ -82,11 +100,11 @@ TEST(EchoNoise, RangeErrorAndBearingQuantisation) {
 
 TEST(EchoNoise, AnEchoBeyondTheRangeIsAMiss) {
   core::Random random(6);
-  SonarPlan sonar = sonar_with(0.0, 0.0);
+  Ping ping = ping_with(0.0, 0.0);
   int echoes = 0;
   for (int k = 0; k < kScans; ++k)
     echoes +=
-        static_cast<int>(draw_beam_returns(sonar, {{10, 150.0, core::radians(-34.5)}}, 1, random).size());
+        static_cast<int>(draw_beam_returns(ping, {{10, 150.0, core::radians(-34.5)}}, 1, random).size());
   EXPECT_NEAR(static_cast<double>(echoes) / kScans, 0.5,
               tolerance(0.5, kScans));  // half the Gaussian lies beyond
 }
@@ -94,27 +112,38 @@ TEST(EchoNoise, AnEchoBeyondTheRangeIsAMiss) {
 TEST(EchoNoise, AtMostOneReturnABeamInOrder) {
   core::Random random(7);
   for (const auto clutter : {ClutterReading::literal, ClutterReading::light}) {
-    const SonarPlan sonar = sonar_with(0.9, 0.1, clutter);
-    const auto returns = draw_beam_returns(sonar, kOneTarget, 5, random);
+    const Ping ping = ping_with(0.9, 0.1, clutter);
+    const auto returns = draw_beam_returns(ping, kOneTarget, 5, random);
     for (std::size_t i = 1; i < returns.size(); ++i)
-      EXPECT_GT(sonar.params.beam_of(returns[i].bearing), sonar.params.beam_of(returns[i - 1].bearing));
+      EXPECT_GT(ping.params.beam_of(returns[i].bearing), ping.params.beam_of(returns[i - 1].bearing));
   }
+}
+
+TEST(EchoNoise, EachSlotOfABeamAlarmsForItself) {
+  core::Random random(9);
+  Ping ping = ping_with(0.2, 1.0);
+  ping.returns_per_beam = 3;
+  // 90 beams of 3 slots, of which the missed target owns one: 269 x .2 alarms a scan.
+  double alarms = 0.0;
+  for (int k = 0; k < 1000; ++k)
+    alarms += static_cast<double>(draw_beam_returns(ping, kOneTarget, 1, random).size());
+  EXPECT_NEAR(alarms / 269e3, 0.2, tolerance(0.2, 269e3));
 }
 
 TEST(EchoNoise, PointSensorSpreadsItsBearings) {
   core::Random random(8);
-  SonarPlan sonar = sonar_with(0.0, 0.0);
-  sonar.params.false_alarm_probability.reset();
-  sonar.params.clutter_per_scan = 2.0;
-  sonar.params.bearing_sigma = 0.02;
+  Ping ping = ping_with(0.0, 0.0);
+  ping.params.false_alarm_probability.reset();
+  ping.params.clutter_per_scan = 2.0;
+  ping.params.bearing_sigma = 0.02;
   double squares = 0.0;
   double returns = 0.0;
   for (int k = 0; k < kScans; ++k)
-    returns += static_cast<double>(draw_point_returns(sonar, kOneTarget, random).size());
+    returns += static_cast<double>(draw_point_returns(ping, kOneTarget, random).size());
   EXPECT_NEAR(returns / kScans, 3.0, 5.0 * std::sqrt(2.0 / kScans));
-  sonar.params.clutter_per_scan = 0.0;
+  ping.params.clutter_per_scan = 0.0;
   for (int k = 0; k < kScans; ++k) {
-    const double error = draw_point_returns(sonar, kOneTarget, random).at(0).bearing - core::radians(5.2);
+    const double error = draw_point_returns(ping, kOneTarget, random).at(0).bearing - core::radians(5.2);
     squares += error * error;
   }
   EXPECT_NEAR(squares / kScans, 4e-4, 5.0 * 4e-4 * std::sqrt(2.0 / kScans));

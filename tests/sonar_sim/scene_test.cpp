@@ -82,6 +82,55 @@ TEST(Scene, SeveralVehicles) {
   EXPECT_TRUE(scene.platforms[1].sonar.params.point_sensor());
 }
 
+/// The error of a scene whose sonar stands in line 2 with these keys too.
+std::string sonar_error(const std::string& keys) {
+  return error_of("duration: 5\nsonar: {miss_probability: 0, false_alarm_probability: 0, " + keys + "}\n");
+}
+
+TEST(Scene, UnevenBeamsGiveNumberFirstAndMeanStep) {
+  const Scene scene = parse_scene(
+      "duration: 5\nsonar: {miss_probability: 0, false_alarm_probability: 0, beam_bearings_deg: [-5, 0, "
+      "7]}\n",
+      "scene.yaml");
+  const core::SonarParams& params = scene.platforms[0].sonar.params;
+  EXPECT_EQ(params.num_beams, 3);
+  EXPECT_DOUBLE_EQ(params.first_bearing, core::radians(-5.0));
+  EXPECT_DOUBLE_EQ(params.bearing_step, core::radians(6.0));
+}
+
+TEST(Scene, ContradictionsOfASonarNameTheirPlace) {
+  const auto says = [](const std::string& error, const std::string& words) {
+    EXPECT_NE(error.find("scene.yaml:2:"), std::string::npos) << error;
+    EXPECT_NE(error.find(words), std::string::npos) << error;
+  };
+  says(sonar_error("beam_bearings_deg: [0, 1], bearing_step_deg: 1"), "excludes first_bearing_deg");
+  says(sonar_error("beam_bearings_deg: [0, 1], num_beams: 3"), "is not the number of beam_bearings_deg");
+  says(sonar_error("beam_bearings_deg: [1, 0]"), "bearings that increase");
+  says(sonar_error("range_settings: [{time: 5, max_range: 9}, {time: 5, max_range: 8}]"), "must be later");
+  says(sonar_error("returns_per_beam: 0"), "returns_per_beam: got `0`");
+  says(sonar_error("keep: loudest"), "expected one of: precedence nearest strongest");
+  says(error_of("duration: 5\nsonar: {miss_probability: 0, clutter_per_scan: 1, keep: nearest}\n"),
+       "keep: is of sonars with beams");
+  says(error_of("duration: 5\nsonars: [{miss_probability: 0, clutter_per_scan: 1, sensor_id: 2}, "
+                "{miss_probability: 0, clutter_per_scan: 1}]\n"),
+       "sensor_id: is used twice");
+}
+
+TEST(Scene, ATargetIsVisibleWhereOneSonarOfTheVehicleSeesIt) {
+  const std::string keys = "miss_probability: 0, false_alarm_probability: 0";
+  const Scene scene =
+      parse_scene("duration: 5\nsonars: [{" + keys + "}, {" + keys +
+                      ", mount_heading_deg: 180, max_range: 50,\n"
+                      "range_settings: [{time: 2, max_range: 20}]}]\n"
+                      "targets: [{id: 1, north: 60, east: 0}, {id: 2, north: -30, east: 0}]\n",
+                  "scene.yaml");
+  const VehicleMotion motion(scene.platforms[0].vehicle);
+  const auto early = truth_at(scene, scene.platforms[0], motion, 1.0);
+  EXPECT_TRUE(early.targets[0].visible);
+  EXPECT_TRUE(early.targets[1].visible);
+  EXPECT_FALSE(truth_at(scene, scene.platforms[0], motion, 2.0).targets[1].visible);
+}
+
 TEST(Scene, ErrorsNamePlaceAndWhatIsAccepted) {
   const std::string sonar = "sonar: {miss_probability: 0, false_alarm_probability: 0}\n";
   EXPECT_EQ(error_of(sonar), "scene.yaml:1:1: duration: is missing, expected a number > 0 <= 1e+06");
@@ -98,6 +147,9 @@ TEST(Scene, ErrorsNamePlaceAndWhatIsAccepted) {
   EXPECT_NE(error_of("duration: 5\n" + sonar +
                      "targets: [{id: 1, north: 0, east: 0}, {id: 1, north: 0, east: 0}]\n")
                 .find("id: is used twice"),
+            std::string::npos);
+  EXPECT_NE(error_of("duration: 5\n" + sonar + "sonars: []\n")
+                .find("scene.yaml:3:9: sonars: stands in place of sonar"),
             std::string::npos);
   EXPECT_NE(error_of("duration: 5 s\n" + sonar).find("expected a number"), std::string::npos);
 }

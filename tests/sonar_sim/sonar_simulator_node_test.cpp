@@ -56,6 +56,19 @@ TEST(SonarSimulatorNode, SurroundsEachScanByVehicleStates) {
   EXPECT_EQ(heard.scans[1].sequence, 1);
 }
 
+TEST(SonarSimulatorNode, SendsTheSonarsOfOneVehicleOnItsChannels) {
+  lcmtypes::Bus bus("memq://");
+  Heard heard(bus, "");
+  const Scene scene = small_scene("sonars: [" + kSonar + ", " + kSonar + "]\n");
+  const auto figures = SonarSimulatorNode(bus, scene, full_speed()).run({});
+  bus.drain();
+  EXPECT_EQ(heard.order, "vgssvvgssvvgssvvgssv");  // one truth for both
+  EXPECT_EQ(figures.scans, 8);
+  EXPECT_EQ(heard.scans[0].sensor_id, 1);
+  EXPECT_EQ(heard.scans[1].sensor_id, 2);
+  EXPECT_EQ(heard.scans[3].sequence, 1);
+}
+
 TEST(SonarSimulatorNode, SendsSeveralVehiclesUnderTheirPrefixesInOrderOfTime) {
   lcmtypes::Bus bus("memq://");
   Heard first(bus, "X_A_"), second(bus, "X_B_");

@@ -1,0 +1,66 @@
+#include "sonar_sim/sea/spill.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/support/sea_ping.hpp"
+
+namespace lookout::sonar_sim {
+namespace {
+
+const Spill kSpill{{0.7, 0.3}, 1.0, {6.0}, false};
+
+TEST(Spill, EachSideAndOffsetByItsProbability) {
+  const Ping ping = ping_at_origin();
+  core::Random random(1);
+  std::map<int, int> count;
+  for (int k = 0; k < kPings; ++k)
+    for (const auto& one : draw_spill(kSpill, ping, {echo_in(ping, 45, 60.0)}, random)) ++count[one.beam];
+  ASSERT_EQ(count.size(), 4u);  // beams 43, 44, 46, 47
+  for (const auto& [beam, expected] : std::map<int, double>{{43, 0.3}, {44, 0.7}, {46, 0.7}, {47, 0.3}})
+    EXPECT_NEAR(count[beam] / static_cast<double>(kPings), expected, rate_tolerance(expected, kPings))
+        << beam;
+}
+
+TEST(Spill, RangesScatterAboutTheEchoAndBearingsAreTheBeams) {
+  const Ping ping = ping_at_origin();
+  core::Random random(2);
+  double sum = 0.0, squares = 0.0, number = 0.0;
+  for (int k = 0; k < kPings; ++k)
+    for (const auto& one : draw_spill(kSpill, ping, {echo_in(ping, 45, 60.0)}, random)) {
+      ASSERT_DOUBLE_EQ(one.echo.bearing, ping.fan.centre(one.beam));
+      sum += one.echo.range - 60.0;
+      squares += (one.echo.range - 60.0) * (one.echo.range - 60.0);
+      ++number;
+    }
+  EXPECT_NEAR(sum / number, 0.0, mean_tolerance(1.0, number));
+  EXPECT_NEAR(squares / number, 1.0, variance_tolerance(1.0, number));
+}
+
+TEST(Spill, StopsAtTheEdgeOfTheFanAndGoesRoundAWholeCircle) {
+  const Spill certain{{1.0}, 0.0, {}, false};
+  core::Random random(3);
+  Ping ping = ping_at_origin();
+  EXPECT_EQ(draw_spill(certain, ping, {echo_in(ping, 0, 60.0)}, random).size(), 1u);
+  ping.params.bearing_step = core::radians(4.0);
+  ping.fan = BeamFan(ping.params);
+  const auto repeated = draw_spill(certain, ping, {echo_in(ping, 0, 60.0)}, random);
+  ASSERT_EQ(repeated.size(), 2u);
+  EXPECT_EQ(repeated[0].beam, 89);
+}
+
+TEST(Spill, WeakensTheRepeatedEchoAndLeavesStandingThingsAlone) {
+  const Ping ping = ping_at_origin();
+  core::Random random(4);
+  BeamReturn rock = echo_in(ping, 20, 30.0);
+  rock.source = Source::standing;
+  const auto repeated =
+      draw_spill({{1.0, 1.0}, 0.0, {6.0}, false}, ping, {echo_in(ping, 45, 60.0), rock}, random);
+  ASSERT_EQ(repeated.size(), 4u);
+  for (const auto& one : repeated) EXPECT_EQ(one.loss_db, std::abs(one.beam - 45) == 1 ? 6.0 : 0.0);
+  EXPECT_EQ(draw_spill({{1.0}, 0.0, {}, true}, ping, {rock}, random).size(), 2u);
+}
+
+}  // namespace
+}  // namespace lookout::sonar_sim
