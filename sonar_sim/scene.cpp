@@ -16,6 +16,8 @@ using core::kPositive;
 using core::YamlMap;
 
 constexpr double kMostScans = 1e7;
+/// Returns of one scan that no sonar makes: above them a scene is a mistake that fills the memory.
+constexpr int kMaxReturns = 100'000;
 
 Eigen::Vector2d read_vector(const YamlMap& map, const std::string& north, const std::string& east) {
   return {map.number(north, 0.0), map.number(east, 0.0)};
@@ -101,7 +103,7 @@ void read_beam_bearings(const YamlMap& map, SonarPlan& sonar) {
   core::SonarParams& params = sonar.params;
   params.num_beams = static_cast<int>(bearings.size());
   params.first_bearing = sonar.beam_bearings.front();
-  params.bearing_step = (sonar.beam_bearings.back() - params.first_bearing) / (params.num_beams - 1);
+  params.bearing_step = core::radians((bearings.back() - bearings.front()) / (params.num_beams - 1));
 }
 
 std::vector<RangeSetting> read_range_settings(const YamlMap& map) {
@@ -135,6 +137,8 @@ void check_sonar(const YamlMap& map, const SonarPlan& sonar) {
     map.fail("false_alarm_probability", "is missing, expected it or clutter_per_scan");
   if (sonar.clutter == ClutterReading::light && params.false_alarm_probability.value_or(0.0) >= 1.0)
     map.fail("false_alarm_probability", "must be below 1 under light clutter");
+  if (params.num_beams * sonar.returns_per_beam > kMaxReturns)
+    map.fail("returns_per_beam", "num_beams x returns_per_beam is above 100000");
   for (const char* key : {"returns_per_beam", "keep"})
     if (params.point_sensor() && map.has(key))
       map.fail(key, "is of sonars with beams: a sensor with clutter_per_scan reports all that it hears");
@@ -234,8 +238,11 @@ Scene read_scene(const YamlMap& map) {
   scene.duration = map.required_number("duration", {0, 1e6, true});
   scene.platforms = read_platforms(map, SeaSection(map.map("sea")));
   for (const auto& platform : scene.platforms)
-    if (scene.duration / platform.sonar.params.scan_period > kMostScans)
-      map.fail("duration", "holds more than 10 million scans of the sonar's scan_period");
+    for (const SonarPlan* sonar : all_sonars(platform)) {
+      if (num_scans(scene, *sonar) == 0) map.fail("duration", "ends before the first_scan of a sonar");
+      if (scene.duration / sonar->params.scan_period > kMostScans)
+        map.fail("duration", "holds more than 10 million scans of the sonar's scan_period");
+    }
   std::set<std::int32_t> ids;
   for (const auto& entry : map.maps("targets")) {
     scene.targets.push_back(read_target(entry));

@@ -182,7 +182,7 @@ Burst read_burst(const YamlMap& map) {
   burst.start = map.required_number("start", kNotNegative);
   burst.duration = map.required_number("duration", kPositive);
   burst.false_alarm_probability = map.optional_number("false_alarm_probability", kProbability);
-  burst.factor = map.number("factor", 1.0, {0, 1e6});
+  burst.factor = map.number("factor", 1.0, {0, 1000});
   if (burst.false_alarm_probability.has_value() == map.has("factor"))
     map.fail("false_alarm_probability", "expected either it or factor");
   map.finish();

@@ -108,12 +108,19 @@ TEST(Scene, ContradictionsOfASonarNameTheirPlace) {
   says(sonar_error("beam_bearings_deg: [1, 0]"), "bearings that increase");
   says(sonar_error("range_settings: [{time: 5, max_range: 9}, {time: 5, max_range: 8}]"), "must be later");
   says(sonar_error("returns_per_beam: 0"), "returns_per_beam: got `0`");
+  says(sonar_error("returns_per_beam: 1000, num_beams: 360"), "num_beams x returns_per_beam is above");
   says(sonar_error("keep: loudest"), "expected one of: precedence nearest strongest");
   says(error_of("duration: 5\nsonar: {miss_probability: 0, clutter_per_scan: 1, keep: nearest}\n"),
        "keep: is of sonars with beams");
   says(error_of("duration: 5\nsonars: [{miss_probability: 0, clutter_per_scan: 1, sensor_id: 2}, "
                 "{miss_probability: 0, clutter_per_scan: 1}]\n"),
        "sensor_id: is used twice");
+}
+
+TEST(Scene, ASonarThatNeverPingsIsAnError) {
+  EXPECT_NE(error_of("duration: 5\nsonar: {miss_probability: 0, false_alarm_probability: 0, first_scan: 5}\n")
+                .find("scene.yaml:1:11: duration: ends before the first_scan"),
+            std::string::npos);
 }
 
 TEST(Scene, ATargetIsVisibleWhereOneSonarOfTheVehicleSeesIt) {

@@ -1,3 +1,9 @@
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/field_of_view.hpp"
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/cli/paths.hpp"
@@ -31,25 +37,39 @@ void feed(RecordedChain& chain, const sonar_sim::SimulatedScan& simulated) {
   chain.add(simulated.scan);
 }
 
+/// The truth as this sonar alone sees it.
+core::GroundTruth truth_in_view(const sonar_sim::SimulatedScan& simulated,
+                                const sonar_sim::SonarPlan& sonar) {
+  const core::SonarParams params = core::with_geometry_of(simulated.scan, sonar.params);
+  core::GroundTruth truth = simulated.truth;
+  for (auto& target : truth.targets)
+    target.visible = core::observe(params, simulated.T_earth_sonar, target.position).visible();
+  return truth;
+}
+
 void feed(RecordedImageChain& chain, const sonar_sim::SimulatedScan& simulated) {
   chain.add(*simulated.image);
 }
 
 template <class Chain>
 TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
-                       const Configuration& configuration) {
-  const sonar_sim::Scene& scene = simulator.scene();
+                       const sonar_sim::PlatformPlan& seen, const Configuration& configuration) {
   TrackedRun run;
   Recorder recorder(configuration.sensor);
   std::size_t done = 0;
-  ProgressBar bar(static_cast<std::size_t>(num_scans(scene, simulator.platform())));
+  ProgressBar bar(static_cast<std::size_t>(num_scans(simulator.scene(), seen.sonar)));
+  const auto add = [&](const std::vector<core::VehicleState>& states) {
+    for (const auto& state : states) chain.add(state), recorder.add(state);
+  };
   while (const auto simulated = simulator.next()) {
-    for (const auto& state : simulated->states_before) chain.add(state), recorder.add(state);
-    feed(chain, *simulated);
-    recorder.add(simulated->scan);
-    for (const auto& state : simulated->states_after) chain.add(state), recorder.add(state);
-    recorder.add(simulated->truth);
-    bar.show(++done);
+    add(simulated->states_before);
+    if (simulated->scan.sensor_id == *seen.sonar.sensor_id) {
+      feed(chain, *simulated);
+      recorder.add(simulated->scan);
+      recorder.add(truth_in_view(*simulated, seen.sonar));
+      bar.show(++done);
+    }
+    add(simulated->states_after);
   }
   chain.finish();
   run.recording = recorder.finish();
@@ -59,18 +79,39 @@ TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
   return run;
 }
 
-TrackedRun run_platform(const sonar_sim::Scene& scene, std::size_t index, Configuration configuration,
-                        const Options& options) {
+/// @param seen the vehicle with one of its sonars alone.
+TrackedRun run_sonar(const sonar_sim::Scene& scene, std::size_t index, const sonar_sim::PlatformPlan& seen,
+                     Configuration configuration, const Options& options) {
   sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
-  configuration.sensor = told_params(scene, simulator.platform(), options);
+  configuration.sensor = told_params(scene, seen, options);
   if (!tracks_images(configuration)) {
     RecordedChain chain(configuration, options.seed);
-    return run_through(chain, simulator, configuration);
+    return run_through(chain, simulator, seen, configuration);
   }
   if (!simulator.platform().image)
     throw core::InputError(options.inputs[0] + ": has no `image` part, which --estimator h_pmht needs");
   RecordedImageChain chain(configuration);
-  return run_through(chain, simulator, configuration);
+  return run_through(chain, simulator, seen, configuration);
+}
+
+/// Runs and writes each sonar of a vehicle; of several, each its own directory, for a recording holds one.
+void run_platform(const sonar_sim::Scene& scene, std::size_t index, const std::string& directory,
+                  const Configuration& configuration, const Options& options) {
+  const sonar_sim::PlatformPlan& platform = scene.platforms[index];
+  const auto sonars = all_sonars(platform);
+  for (std::size_t i = 0; i < sonars.size(); ++i) {
+    if (i > 0 && tracks_images(configuration)) break;  // Images are the first sonar's.
+    sonar_sim::PlatformPlan seen = platform;
+    seen.sonar = *sonars[i];
+    seen.further_sonars.clear();
+    seen.sonar.sensor_id = sonars[i]->sensor_id.value_or(platform.node_id + static_cast<std::int32_t>(i));
+    const std::string own =
+        sonars.size() == 1 ? directory : directory + "/sonar" + std::to_string(*seen.sonar.sensor_id);
+    make_directory(own);
+    const TrackedRun run = run_sonar(scene, index, seen, configuration, options);
+    core::write_recording(own, run.recording);
+    write_tracked_run(own, run, configuration, options);
+  }
 }
 
 }  // namespace
@@ -87,9 +128,7 @@ int run_command(const Options& options) {
     const std::string directory =
         alone ? options.out : options.out + "/node" + std::to_string(scene.platforms[index].node_id);
     make_directory(directory);
-    const TrackedRun run = run_platform(scene, index, configuration, options);
-    core::write_recording(directory, run.recording);
-    write_tracked_run(directory, run, configuration, options);
+    run_platform(scene, index, directory, configuration, options);
   }
   return 0;
 }
