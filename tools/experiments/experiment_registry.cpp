@@ -14,6 +14,7 @@
 #include "tools/experiments/tracking/limits.hpp"
 #include "tools/experiments/tracking/manoeuvres.hpp"
 #include "tools/experiments/tracking/recordings.hpp"
+#include "tools/experiments/tracking/sea.hpp"
 #include "tools/experiments/window/csht_window.hpp"
 
 namespace lookout::tools {
@@ -25,6 +26,7 @@ const std::array kExperiments{
     ExperimentEntry{"limits", make_limits},
     ExperimentEntry{"manoeuvres", make_manoeuvres},
     ExperimentEntry{"recordings", make_recordings},
+    ExperimentEntry{"sea", make_sea},
     ExperimentEntry{"nht-simulated", make_nht_simulated},
     ExperimentEntry{"nht-real", make_nht_real},
     ExperimentEntry{"agfht-table2", make_agfht_table2},

@@ -1,0 +1,104 @@
+#include "tools/experiments/tracking/sea.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "core/frames.hpp"
+#include "tools/experiments/tracking/sea_scene.hpp"
+#include "tools/experiments/tracking/sensor_knowledge.hpp"
+#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tracking/tracker_registry.hpp"
+
+namespace lookout::tools {
+namespace {
+
+constexpr double kProbabilities[] = {0.1, 0.3};  // of P_F and P_M alike
+constexpr const char* kFigures[] = {"unknown", "known", "half", "double"};
+constexpr double kSettled = 10.0;  // s: scores are from then on
+constexpr double kLater = 25.0;    // s: and once more from then on, as *_later
+constexpr int kJointRuns = 30;
+constexpr int kRivalRuns = 5;
+
+Cell make_cell(const char* condition, const std::string& method, double probability, const char* figures) {
+  Cell cell;
+  cell.method = method;
+  cell.parameters = {{"condition", std::string(condition)},
+                     {"p_false_alarm", probability},
+                     {"p_miss", probability},
+                     {"sensor_figures", std::string(figures)}};
+  cell.max_runs = method == "joint" ? kJointRuns : kRivalRuns;
+  return cell;
+}
+
+/// What the tracker is told. Unknown: neither probability, so that it learns them or goes by its defaults.
+core::SonarParams told(const Cell& cell, const sonar_sim::Scene& scene, std::uint64_t seed, int run) {
+  const std::string figures = cell.parameters.text("sensor_figures");
+  if (figures != "unknown") return told_params(scene, {}, figures, seed, run);
+  core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms.front());
+  sonar.miss_probability.reset();
+  sonar.false_alarm_probability.reset();
+  return sonar;
+}
+
+/// The scores from `time` [s] on.
+Metrics score_from(double time, const std::vector<TimedScan>& scans, const TrackingOutput& output) {
+  const auto settled = std::find_if(scans.begin(), scans.end(), [time](const TimedScan& scan) {
+    return core::seconds(scan.truth.utime) >= time;
+  });
+  TrackingOutput rest;
+  rest.time_ms = output.time_ms;
+  rest.tracks.assign(output.tracks.begin() + (settled - scans.begin()), output.tracks.end());
+  return score({settled, scans.end()}, rest);
+}
+
+/// Mean number of tracks that are reported as confirmed.
+double mean_tracks(const TrackingOutput& output) {
+  double confirmed = 0.0;
+  for (const auto& tracks : output.tracks)
+    confirmed +=
+        static_cast<double>(std::count_if(tracks.begin(), tracks.end(), [](const core::Track& track) {
+          return track.status == core::TrackStatus::confirmed;
+        }));
+  return confirmed / static_cast<double>(output.tracks.size());
+}
+
+class Sea : public Experiment {
+ public:
+  std::string summary() const override {
+    return "Trackers in a real sea: spill, patches, bottom, rocks, wall, lost scans, bursts, heavy tails, "
+           "heading";
+  }
+  std::string scenario() const override { return "tools/scenarios/sea_CONDITION.yaml, targets drawn by run"; }
+
+  std::vector<Cell> cells() const override {
+    std::vector<Cell> cells;
+    for (const char* figures : kFigures)
+      for (const double probability : kProbabilities)
+        for (const char* condition : sea_conditions())
+          for (const auto& method : tracking::tracker_names())
+            cells.push_back(make_cell(condition, method, probability, figures));
+    return cells;
+  }
+
+  Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
+    const auto scene = sea_scene(cell.parameters.text("condition"), cell.parameters.number("p_false_alarm"),
+                                 cell.parameters.number("p_miss"), seed, run);
+    const auto scans = simulate(scene, seed, run);
+    const auto pipeline = pipeline_of(cell.method, told(cell, scene, seed, run), run_seed(seed, run));
+    const auto output = track(*pipeline, scans);
+    Metrics metrics = score_from(kSettled, scans, output);
+    const Metrics later = score_from(kLater, scans, output);
+    for (const char* name : {"ospa", "false_per_100s"})
+      metrics[std::string(name) + "_later"] = later.at(name);
+    metrics["num_tracks"] = mean_tracks(output);
+    return metrics;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Experiment> make_sea() {
+  return std::make_unique<Sea>();
+}
+
+}  // namespace lookout::tools
