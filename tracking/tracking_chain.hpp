@@ -21,11 +21,11 @@ namespace lookout::tracking {
 struct ChainParams {
   core::SonarParams sensor;         ///< What is known of the sensor; the geometry of a scan wins over it.
   csht::EstimatorParams estimator;  ///< An empty name: the tracker's own, see `default_estimator`.
-  TrackerParams tracker;
+  TrackerParams tracker;            ///< Its name and parameters.
   std::uint64_t seed = 1;  ///< Of all draws; those of a scan derive from it and the scan's sequence alone.
   std::int64_t lag = 0;    ///< How much later than its scan a list of tracks is given [us], in [0, kMaxLag].
   DecisionLog explain_to;  ///< Is called with every decision about a track; may be empty.
-  IntakeParams intake;
+  IntakeParams intake;     ///< How scans are checked and matched with vehicle states.
 
   static constexpr std::int64_t kMaxLag = 60'000'000;  ///< As far back as a tracker can retrodict.
 };
@@ -55,12 +55,15 @@ class TrackingChain {
   TrackingChain(const TrackingChain&) = delete;
   TrackingChain& operator=(const TrackingChain&) = delete;
 
+  /// Takes a vehicle state; a bad one is counted, reported and left out.
   void add(const core::VehicleState& state) { intake_.add(state); }
+  /// Takes a scan; its result follows when its pose is known. A bad one is counted, reported and left out.
   void add(core::SonarScan scan) { intake_.add(std::move(scan)); }
   void finish();  ///< There is no more data: gives what still waits.
   void start_new_clock() { intake_.start_new_clock(); }  ///< What comes now is on another clock.
 
-  const IntakeCounts& counts() const { return intake_.counts(); }
+  const IntakeCounts& counts() const { return intake_.counts(); }  ///< What was accepted and what rejected.
+  /// Newest time among all data so far [us].
   std::int64_t newest_utime() const { return intake_.newest_utime(); }
 
  private:

@@ -9,10 +9,10 @@
 namespace lookout::csht {
 namespace {
 
-constexpr double kWholeWindow = 1e9;  // More nats and seconds than any window holds.
+constexpr double kWholeWindow = 1e9;  // [nats] and [s]: more than any window holds.
 constexpr double kInViewShare = 0.5;  // Visible share below which a target has left.
 
-// Whether the second lies within a squared Mahalanobis distance of the first.
+// Whether `other` lies within a squared Mahalanobis distance of `surer`, by the covariance of the latter.
 bool one_target(const CloudMoments& surer, const CloudMoments& other, double distance) {
   const Eigen::Vector4d offset = other.mean.head<4>() - surer.mean.head<4>();
   return offset.dot(surer.covariance.topLeftCorner<4, 4>().llt().solve(offset)) <= distance;
@@ -50,7 +50,7 @@ JointEngineParams window_engine() {
   birth.seeds = 100;
   birth.hopeless = 6.0;
   engine.hypotheses.tentative_log_odds = -8.0;
-  engine.hypotheses.settled_log_odds = 20.0;  // All odds are estimated from the whole window.
+  engine.hypotheses.settled_log_odds = 20.0;  // A cap alone: all odds come from the whole window.
   engine.cloud.trusted_share = 0.02;
   engine.prior.uniform_speeds = true;
   return engine;
@@ -106,7 +106,7 @@ void JointEstimator::estimate_alone(const core::PosedScan& scan) {
     report(order_, params_.min_existence, own_->scene);
 }
 
-// Slots of all hypotheses, the surest first.
+// Fills `order_` with the slots of all hypotheses, the most probable first.
 void JointEstimator::order_by_odds() {
   order_.clear();
   const auto& tracks = own_->scene.tracks;
@@ -117,7 +117,8 @@ void JointEstimator::order_by_odds() {
   });
 }
 
-// Of two hypotheses on one target the surer stays: with both, each would take the other's detections.
+// Of two hypotheses on one target the more probable stays: both would share its detections, and neither have
+// enough.
 void JointEstimator::merge_twins() {
   order_by_odds();
   auto& tracks = own_->scene.tracks;
@@ -133,27 +134,27 @@ void JointEstimator::merge_twins() {
   std::erase_if(order_, [&tracks](int slot) { return !tracks[static_cast<std::size_t>(slot)].used; });
 }
 
-// The surest first, so that what is theirs is claimed before the doubtful are weighed.
+// The most probable first: their detections are claimed before less probable ones are weighed.
 void JointEstimator::revise_hypotheses() {
   merge_twins();
   for (const int slot : order_) {
     TargetTrack& track = own_->scene.tracks[static_cast<std::size_t>(slot)];
-    // Of a doubtful one, what the newest scan adds will do.
+    // For a doubtful hypothesis the newest scan's update is enough, as long as its cloud is sound.
     const bool sound = own_->search.update(track, own_->scene);
     if (!sound || track.log_odds > params_.revise_above) own_->search.revise(track, own_->scene);
     let_targets_claim();
   }
 }
 
-// Only what is more likely a target than not takes detections from the others: of many doubtful hypotheses
-// that share them none would be left with enough.
+// Only what is more likely a target than not claims detections: if many doubtful hypotheses shared them, none
+// would be left with enough.
 void JointEstimator::let_targets_claim() {
   for (const TargetTrack& track : own_->scene.tracks)
     if (track.used && track.existence() < params_.min_existence)
       own_->scene.likelihood.set_existence(own_->scene.slot_of(track), 0.0);
 }
 
-// Leaves in `order_` what is worth keeping and in view.
+// Frees hypotheses that are too improbable; `order_` keeps those of the rest that are in view.
 void JointEstimator::drop_hopeless() {
   merge_twins();
   order_.clear();
@@ -166,7 +167,8 @@ void JointEstimator::drop_hopeless() {
   }
 }
 
-// A gamma prior over the number of targets in view: its mean and weight, and what the looks so far have seen.
+// The number of targets in view is Poisson with a gamma prior, of which `prior_looks` is the weight; its
+// posterior mean is the prior's mean and the numbers seen so far, one a window, averaged by their weights.
 void JointEstimator::learn_density() {
   if (own_->scene.scans().size() < params_.window_scans) return;
   const double look = 1.0 / params_.window_scans;

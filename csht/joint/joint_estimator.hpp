@@ -11,37 +11,37 @@
 
 namespace lookout::csht {
 
-/// An engine of one window: every pair is scored over all of it, and more is kept of what is doubtful, for
-/// nothing but the window tells. docs/joint_estimator.md.
+/// Parameters for an estimator that has no tracker's scene and knows nothing but the window's scans: every
+/// pair is scored over all of them, and doubtful hypotheses are kept. docs/joint_estimator.md.
 JointEngineParams window_engine();
 
+/// Parameters of JointEstimator; `alone` says what holds where no tracker offers its scene.
 struct JointEstimatorParams {
-  JointEngineParams engine;  ///< In the scene of a tracker: its own parameters.
-  JointEngineParams alone =
-      window_engine();           ///< Where no scene is offered; the scans kept follow the window.
-  int window_scans = 20;         ///< Scans in a full window, >= 3. [Yan2018] W.
-  int first_estimate_scans = 3;  ///< Scans before anything is reported, >= 1.
-  /// How many independent looks (one a window's duration) the prior number of targets weighs, > 0: the
-  /// number is learnt from the stream, so that an empty sea becomes hard to convince.
+  JointEngineParams engine;                   ///< For the search in a tracker's scene: the tracker's.
+  JointEngineParams alone = window_engine();  ///< Alone; its `scans_kept` follows `window_scans`.
+  int window_scans = 20;                      ///< Scans in a full window, >= 3. [Yan2018] W.
+  int first_estimate_scans = 3;               ///< Scans before anything is reported, >= 1.
+  /// Alone, the expected number of targets is learnt from the scans, so that a sea that was long empty asks
+  /// for more evidence. The prior number weighs as much as so many windows of scans, > 0.
   double prior_looks = 2.0;
-  double memory_looks = 20.0;  ///< Looks after which older ones are forgotten, by e-folding, > 0.
-  /// Alone, hypotheses nearer than this are one (squared Mahalanobis, 4 degrees of freedom), > 0.
+  double memory_looks = 20.0;  ///< Windows after which what was learnt has faded to 1/e, > 0.
+  /// Alone, two hypotheses within this squared Mahalanobis distance (position and velocity) are one, > 0.
   double merge_distance = 3.0;
-  double revise_above =
-      -3.0;  ///< Alone, log odds from which a hypothesis is drawn anew at every scan [nats].
+  double revise_above = -3.0;  ///< Alone, log odds above which each scan draws a hypothesis anew [nats].
   double min_existence = 0.5;  ///< Least probability of existence that is reported, in [0, 1].
 
-  /// For a window in which every target is in view from the first scan on: no births and no entries within
-  /// it.
+  /// For a window in which every target is in view from the first scan on: none appears or enters later.
   static JointEstimatorParams window();
 };
 
-/// Motion estimation from all that the scans hold: joint hypotheses in position and velocity, the exact
-/// likelihood of every beam, evidence against a prior in physical units. Offered the scene of a tracker it
-/// finds what the tracks there do not explain; alone it keeps a scene of one window in which nothing is
-/// explained, and draws its hypotheses anew at every scan. docs/joint_estimator.md.
+/// Motion estimation from all that the scans hold: hypotheses in position and velocity together, the exact
+/// likelihood of every beam, silent ones included, and the evidence for each hypothesis against a prior in
+/// physical units (track before detect, [Boers2004]). Offered the scene of a tracker, it finds what the
+/// tracks there do not explain. Alone it keeps a scene of one window and draws its hypotheses anew at every
+/// scan. docs/joint_estimator.md.
 class JointEstimator : public MotionEstimator {
  public:
+  /// @param seed of all draws where it works alone.
   /// @throws std::invalid_argument showing the value that is out of range.
   JointEstimator(const JointEstimatorParams& params, const core::SonarParams& sonar, std::uint64_t seed);
 

@@ -15,10 +15,11 @@
 
 namespace lookout::csht {
 
-/// The draws of an engine: those of a scan derive from (seed, stream, scan sequence) alone.
+/// Where the random draws of an engine come from: those of a scan derive from (seed, stream, scan sequence)
+/// alone.
 struct DrawSource {
-  std::uint64_t seed = 1;
-  core::RandomStream stream = core::RandomStream::tracker;
+  std::uint64_t seed = 1;                                   ///< Of the run.
+  core::RandomStream stream = core::RandomStream::tracker;  ///< Keeps the draws of its users apart.
 };
 
 /// What the joint engine knows: the latest scans with what explains them, the hypotheses of targets, and the
@@ -28,12 +29,12 @@ class JointScene {
   /// @param params validated.
   JointScene(const JointEngineParams& params, const core::SonarParams& sonar, const DrawSource& source);
 
-  TargetPrior prior;
-  core::Random random;
-  ScanLikelihood likelihood;
-  TrajectorySampler sampler;
-  UndetectedTargets undetected;
-  SensorLearning learning;
+  TargetPrior prior;                ///< What is believed of targets before anything is seen.
+  core::Random random;              ///< Seeded anew by every scan.
+  ScanLikelihood likelihood;        ///< The scans in memory, and who claims what of them.
+  TrajectorySampler sampler;        ///< Draws densities of trajectories under that likelihood.
+  UndetectedTargets undetected;     ///< How many targets no track stands for.
+  SensorLearning learning;          ///< The sensor's figures, from the same scans.
   TrajectoryCloud fresh;            ///< Where a cloud is drawn before it replaces another.
   std::vector<TargetTrack> tracks;  ///< Slots, used again when free.
 
@@ -42,12 +43,13 @@ class JointScene {
 
   void learn() { learning.learn(tracks, likelihood); }  ///< The sensor's figures from the newest scan.
 
-  const ScanHistory& scans() const { return likelihood.scans(); }
-  std::int64_t now() const { return scans().newest().utime; }
+  const ScanHistory& scans() const { return likelihood.scans(); }  ///< Those in memory.
+  std::int64_t now() const { return scans().newest().utime; }      ///< Time of the newest scan [us].
 
   /// A slot that is free, with a new identity; null when `max_tracks` are alive. The caller fills it and sets
   /// `used`.
   TargetTrack* free_track();
+  /// Index in `tracks` of one of them.
   int slot_of(const TargetTrack& track) const { return static_cast<int>(&track - tracks.data()); }
   void release(TargetTrack& track);  ///< Frees the slot and takes back what it claimed.
 
@@ -57,7 +59,7 @@ class JointScene {
 
  private:
   DrawSource source_;
-  bool looks_anew_;  ///< Nothing is remembered of what was found before the scans that are kept.
+  bool looks_anew_;  ///< A window of given length: its targets count as undetected when it begins.
   std::size_t max_tracks_;
   std::int64_t last_id_ = 0;
 };

@@ -14,13 +14,12 @@
 namespace lookout::csht {
 namespace {
 
-constexpr double kMembershipGate = 16.0;  // Squared normalised distance beyond which no echo is a member.
+constexpr double kMembershipGate = 16.0;  // Squared distance in sigmas beyond which no detection is a member.
 constexpr double kWeakPosition = 1e4;     // Variance of the prior on position [m^2]: keeps the fit solvable.
 constexpr std::size_t kReserve = 8192;    // Pairs for which memory is kept from the start.
 
 }  // namespace
 
-// An echo at `position` seen `seconds` from the newest scan, its line of sight at `azimuth`.
 void LineFit::add(const Eigen::Vector2d& position, double seconds, double azimuth, double range_variance,
                   double cross_variance, double membership) {
   const Eigen::Vector2d along(std::cos(azimuth), std::sin(azimuth));
@@ -51,8 +50,8 @@ std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const 
   seeds_.clear();
   prior_ = prior;
   scans_ = &likelihood.scans();
-  collect_free_echoes(likelihood);
-  pair_echoes();
+  collect_free_detections(likelihood);
+  pair_detections();
   if (scores_.empty()) return seeds_;
   const int window = birth_window(*scans_, params_);
   const int first_look = std::min(window, oldest_within(params_.first_look_s, *scans_));
@@ -66,44 +65,45 @@ std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const 
   return seeds_;
 }
 
-void PairSeeds::collect_free_echoes(const ScanLikelihood& likelihood) {
+void PairSeeds::collect_free_detections(const ScanLikelihood& likelihood) {
   newest_.clear();
   older_.clear();
   for (int age = 0; age < scans_->size(); ++age) {
     if (-scans_->seconds_at_age(age) > params_.max_lag_s) break;
     if (age > 0 && age < params_.min_lag_scans) continue;
-    const auto& echoes = scans_->at_age(age).detections;
-    for (std::size_t i = 0; i < echoes.size(); ++i) {
+    const auto& detections = scans_->at_age(age).detections;
+    for (std::size_t i = 0; i < detections.size(); ++i) {
       if (explained(likelihood, age, i)) continue;
-      (age == 0 ? newest_ : older_).push_back({echoes[i].p_earth, age});
+      (age == 0 ? newest_ : older_).push_back({detections[i].p_earth, age});
     }
   }
 }
 
-bool PairSeeds::explained(const ScanLikelihood& likelihood, int age, std::size_t echo) const {
+bool PairSeeds::explained(const ScanLikelihood& likelihood, int age, std::size_t index) const {
   const ScanTable& scan = scans_->at_age(age);
   const bool point = scan.clutter == ClutterModel::point;
-  const core::Detection& detection = scan.detections[echo];
-  return likelihood.explained(age, point ? static_cast<int>(echo) : detection.beam, detection.range) >=
+  const core::Detection& detection = scan.detections[index];
+  return likelihood.explained(age, point ? static_cast<int>(index) : detection.beam, detection.range) >=
          params_.explained;
 }
 
-void PairSeeds::pair_echoes() {
+void PairSeeds::pair_detections() {
   pairs_.resize(0);
   scores_.clear();
   const double sigma = scans_->figures().range_sigma;
-  for (const Echo& older : older_) {
+  for (const SeedPoint& older : older_) {
     const double seconds = -scans_->seconds_at_age(older.age);
     const double reach = prior_.max_speed() * seconds + 2.0 * std::numbers::sqrt2 * sigma;
-    for (const Echo& newest : newest_)
+    for (const SeedPoint& newest : newest_)
       if ((newest.position - older.position).squaredNorm() <= reach * reach) add_pair(newest, older, seconds);
   }
   sum_.assign(scores_.size(), 0.0);
   scored_to_ = -1;
 }
 
-// The most probable line through both echoes: two that are close in time say little of the velocity.
-void PairSeeds::add_pair(const Echo& newest, const Echo& older, double seconds) {
+// The most probable trajectory given both detections: where they are close in time they say little of the
+// velocity, which the normal prior then shrinks.
+void PairSeeds::add_pair(const SeedPoint& newest, const SeedPoint& older, double seconds) {
   const double sigma = scans_->figures().range_sigma;
   const double prior_variance = prior_.velocity_sigma() * prior_.velocity_sigma();
   const double shrink = prior_variance / (prior_variance + 2.0 * sigma * sigma / (seconds * seconds));
@@ -116,7 +116,7 @@ void PairSeeds::add_pair(const Echo& newest, const Echo& older, double seconds) 
   scores_.push_back({-std::numeric_limits<double>::infinity(), 0});
 }
 
-// Runs all pairs backwards to the scan of age `oldest`, from where the last call ended.
+// Adds the evidence of older scans to the sums of all pairs, from where the last call ended to age `oldest`.
 void PairSeeds::score(ScanLikelihood& likelihood, int oldest) {
   step_.resize(scores_.size());
   for (int age = scored_to_ + 1; age <= oldest; ++age) {
@@ -179,8 +179,9 @@ bool PairSeeds::merged(const BirthSeed& seed) {
   return false;
 }
 
-// Least squares over the echoes of the window, each weighted with its membership: the share of its likelihood
-// that the line explains. [Yan2018] III.B done on joint hypotheses: the noise class is the rest.
+// Least squares over the detections of the window, each weighted with its membership: the share of its
+// likelihood that the trajectory explains; clutter has the rest. One class of fuzzy c-means, [Yan2018] Eq.
+// (22) and (23), with the noise class of [Dave1991].
 bool PairSeeds::refine(const ScanLikelihood& likelihood, std::size_t index, BirthSeed& seed) const {
   Eigen::Vector4d state(pairs_.north[index], pairs_.east[index], pairs_.north_velocity[index],
                         pairs_.east_velocity[index]);
@@ -204,8 +205,8 @@ bool PairSeeds::refine(const ScanLikelihood& likelihood, std::size_t index, Birt
   return true;
 }
 
-// Adds to the odds of the seeds what all scans say of their refined lines, over all beginnings; the most
-// probable come first.
+// Adds to the odds of the seeds the evidence of all scans for their refined trajectories, summed over the
+// scans at which the target may have appeared. Sorts them, the most probable first.
 void PairSeeds::weigh(ScanLikelihood& likelihood, int oldest) {
   lines_.resize(seeds_.size());
   for (std::size_t k = 0; k < seeds_.size(); ++k) {
@@ -230,7 +231,7 @@ void PairSeeds::weigh(ScanLikelihood& likelihood, int oldest) {
             [](const BirthSeed& a, const BirthSeed& b) { return a.log_odds > b.log_odds; });
 }
 
-// Adds the echoes of one scan near the line to the fit.
+// Adds the detections of one scan that are near the trajectory to the fit.
 void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eigen::Vector4d& state,
                             LineFit& fit) const {
   const ScanTable& scan = scans_->at_age(age);
@@ -240,17 +241,17 @@ void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eig
   const double dn = at.x() - scan.T_earth_sonar.north, de = at.y() - scan.T_earth_sonar.east;
   const double range = std::hypot(dn, de);
   const double azimuth = std::atan2(de, dn);
-  const auto add = [&](int claim_index, double echo_range, double echo_azimuth) {
-    const double dr = (echo_range - range) / figures.range_sigma;
-    const double db = core::wrap_to_pi(echo_azimuth - azimuth) / figures.bearing_sigma;
+  const auto add = [&](int claim_index, double return_range, double return_azimuth) {
+    const double dr = (return_range - range) / figures.range_sigma;
+    const double db = core::wrap_to_pi(return_azimuth - azimuth) / figures.bearing_sigma;
     const double square = dr * dr + db * db;
-    if (square > kMembershipGate || likelihood.explained(age, claim_index, echo_range) >= params_.explained)
+    if (square > kMembershipGate || likelihood.explained(age, claim_index, return_range) >= params_.explained)
       return;
     const double own = static_cast<double>(scan.gain) * std::exp(-0.5 * square);
-    const double cross = echo_range * figures.bearing_sigma;
-    fit.add({scan.T_earth_sonar.north + echo_range * std::cos(echo_azimuth),
-             scan.T_earth_sonar.east + echo_range * std::sin(echo_azimuth)},
-            seconds, echo_azimuth, figures.range_sigma * figures.range_sigma, cross * cross,
+    const double cross = return_range * figures.bearing_sigma;
+    fit.add({scan.T_earth_sonar.north + return_range * std::cos(return_azimuth),
+             scan.T_earth_sonar.east + return_range * std::sin(return_azimuth)},
+            seconds, return_azimuth, figures.range_sigma * figures.range_sigma, cross * cross,
             own / (1.0 + own));
   };
   if (scan.clutter == ClutterModel::point) {
@@ -262,8 +263,8 @@ void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eig
   const double first_azimuth = scan.axis - 0.5 * (scan.num_beams - 1) * scan.bearing_step;
   const int reach = 1 + scan.blur_reach;
   for (int b = std::max(0, beam - reach); b <= std::min(scan.num_beams - 1, beam + reach); ++b) {
-    const float echo = scan.range[static_cast<std::size_t>(b) + 1];
-    if (echo > 0.0F) add(b, static_cast<double>(echo), first_azimuth + b * scan.bearing_step);
+    const float range_there = scan.range[static_cast<std::size_t>(b) + 1];
+    if (range_there > 0.0F) add(b, static_cast<double>(range_there), first_azimuth + b * scan.bearing_step);
   }
 }
 

@@ -10,57 +10,62 @@
 
 namespace lookout::csht {
 
-/// A trajectory that may be a target's, worth the computing of its evidence.
+/// A trajectory that may be a target's, probable enough to sample its evidence.
 struct BirthSeed {
   CloudMoments guess;     ///< At the newest scan; accelerations zero.
-  int start_age = 0;      ///< Age of the scan since which it is thought to be there.
-  double log_odds = 0.0;  ///< Of existence, by Laplace's method around the guess.
+  int start_age = 0;      ///< Age of the oldest scan that speaks for it.
+  double log_odds = 0.0;  ///< Of existence [nats]: the evidence by Laplace's method around the guess.
 };
 
-/// Age of the oldest scan that a new target is weighed over: as many scans as hold `enough_nats` of
-/// information on a target in view, `window_s` at most.
+/// Age of the oldest scan that a new target is weighed over: so many scans that they hold `enough_nats` of
+/// information on a target in view, but no older than `window_s`.
 int birth_window(const ScanHistory& scans, const BirthParams& params);
 
-/// Weighted least squares for a straight line: state (position, velocity) at the newest scan.
+/// Weighted least squares for a trajectory at constant velocity: position [m] and velocity [m/s] at the
+/// newest scan, north and east each. [BarShalom2001] Sec. 3.4.
 struct LineFit {
-  Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
-  Eigen::Vector4d weighted = Eigen::Vector4d::Zero();
+  Eigen::Matrix4d information = Eigen::Matrix4d::Zero();  ///< Inverse of the state's covariance.
+  Eigen::Vector4d weighted = Eigen::Vector4d::Zero();     ///< Right side: information x state.
 
-  /// An echo at `position` seen `seconds` from the newest scan, its line of sight at `azimuth`.
+  /// Adds a detection at `position` [m, earth frame], made `seconds` from the newest scan.
+  /// @param azimuth of its line of sight [rad], along which `range_variance` [m^2] counts; `cross_variance`
+  /// [m^2] counts across it. @param membership weight in [0, 1].
   void add(const Eigen::Vector2d& position, double seconds, double azimuth, double range_variance,
            double cross_variance, double membership);
 };
 
-/// Finds seeds: pairs of echoes that no track explains, the newest scan's with an older one's, each an exact
-/// vote for one trajectory (a sparse Hough vote over north, east and both velocities). Scored backwards under
-/// the softened likelihood; the best stretch is its window; refined by least squares over memberships.
-/// docs/joint_estimator.md.
+/// Finds seeds: pairs of detections that no track explains, the newest scan's with an older one's, each a
+/// vote for one trajectory: a sparse Hough transform over north, east and both velocities, [Duda1972] for two
+/// dimensions. Each pair is scored scan by scan into the past, under a likelihood with softened beam edges;
+/// its best sum says since when it may be there. The best pairs are refined by least squares, in which each
+/// detection has the probability of being the target's as its weight. docs/joint_estimator.md.
 class PairSeeds {
  public:
+  /// @param params validated.
   explicit PairSeeds(const BirthParams& params);
 
-  /// Seeds of the newest scan, most probable first. @param likelihood with the claims of all tracks.
-  /// @param prior of the targets.
+  /// Seeds at the newest scan, most probable first; valid until the next call.
+  /// @param likelihood with the claims of all tracks. @param prior of the targets.
   std::span<const BirthSeed> propose(ScanLikelihood& likelihood, const TargetPrior& prior);
 
  private:
-  struct Echo {
-    Eigen::Vector2d position;
-    int age = 0;
+  struct SeedPoint {
+    Eigen::Vector2d position;  ///< Of a detection [m, earth frame].
+    int age = 0;               ///< Of its scan.
   };
   struct Score {
     double best = 0.0;  ///< Best log-likelihood ratio over windows.
     int oldest = 0;     ///< Age at which that window begins.
   };
 
-  void collect_free_echoes(const ScanLikelihood& likelihood);
-  void pair_echoes();
-  void add_pair(const Echo& newest, const Echo& older, double seconds);
+  void collect_free_detections(const ScanLikelihood& likelihood);
+  void pair_detections();
+  void add_pair(const SeedPoint& newest, const SeedPoint& older, double seconds);
   void score(ScanLikelihood& likelihood, int oldest);
   void keep_best(std::size_t count);
   void refine_and_merge(const ScanLikelihood& likelihood);
   void weigh(ScanLikelihood& likelihood, int oldest);
-  bool explained(const ScanLikelihood& likelihood, int age, std::size_t echo) const;
+  bool explained(const ScanLikelihood& likelihood, int age, std::size_t index) const;
   bool refine(const ScanLikelihood& likelihood, std::size_t index, BirthSeed& seed) const;
   void add_members(const ScanLikelihood& likelihood, int age, const Eigen::Vector4d& state,
                    LineFit& fit) const;
@@ -69,7 +74,7 @@ class PairSeeds {
   BirthParams params_;
   TargetPrior prior_;
   const ScanHistory* scans_ = nullptr;  ///< Of the call to `propose` that runs.
-  std::vector<Echo> newest_, older_;
+  std::vector<SeedPoint> newest_, older_;
   TrajectoryCloud pairs_;
   std::vector<Score> scores_;
   std::vector<double> sum_, step_;

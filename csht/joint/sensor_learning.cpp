@@ -23,7 +23,8 @@ void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& 
   const ScanHistory& scans = likelihood.scans();
   targets_.clear();
   for (const TargetTrack& track : tracks) {
-    if (!track.used || track.cloud.motion == Motion::bend || track.existence() < params_.least_existence)
+    if (!track.used || track.cloud.motion == Motion::constant_acceleration ||
+        track.existence() < params_.least_existence)
       continue;
     if (samples_.size() == targets_.size())
       samples_.emplace_back().reserve(static_cast<std::size_t>(params_.target_samples));

@@ -11,17 +11,20 @@
 
 namespace lookout::csht {
 
-/// Learns the sensor's figures from beams that no track owns and from sure tracks on straight lines.
+/// Learns the sensor's figures: P_F from beams that no track owns, P_M and sigma from tracks that probably
+/// exist and do not accelerate.
 class SensorLearning {
  public:
   /// @param params validated. @param sonar its figures, where given, are used until the scans contradict
   /// them.
   SensorLearning(const SensorLearningParams& params, const core::SonarParams& sonar);
 
-  /// Takes the newest scan in; where the figures changed, the likelihood follows.
+  /// Takes the newest scan in. Where the figures changed by `least_change`, those of `likelihood` are
+  /// rewritten.
   void learn(std::span<const TargetTrack> tracks, ScanLikelihood& likelihood);
 
-  const SensorFigures& figures() const { return figures_.figures(); }
+  const SensorFigures& figures() const { return figures_.figures(); }  ///< To be used for the next scan.
+  /// What the scans say of P_F, P_M and sigma, each with its standard error.
   core::SensorEstimate estimate() const { return figures_.estimate(); }
 
  private:
@@ -33,7 +36,8 @@ class SensorLearning {
   std::vector<KnownTarget> targets_;
 };
 
-/// Equally likely trajectories of a cloud, `count` of them, by systematic resampling.
+/// Writes `count` equally likely trajectories of a cloud (position [m], velocity [m/s]) to `samples`, by
+/// systematic resampling: [Kitagawa1996].
 void resample(const TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector4d>& samples);
 
 }  // namespace lookout::csht

@@ -21,7 +21,7 @@ TargetSearch::TargetSearch(const JointEngineParams& params)
       hypotheses_(params.hypotheses),
       cloud_(params.cloud),
       seeds_(params.birth),
-      claims_(params.observer) {
+      claims_(params.claims) {
   found_.reserve(static_cast<std::size_t>(params.birth.seeds));
 }
 
@@ -46,7 +46,7 @@ void TargetSearch::prepare(const JointScene& scene) {
   window_ = {0, birth_window(scene.scans(), params_), true};
 }
 
-// Whether a hypothesis stands for the seed already. A tentative one that is much less probable gives way.
+// Whether a hypothesis stands for the seed already. A tentative one that is much less probable is released.
 bool TargetSearch::known(const BirthSeed& seed, JointScene& scene) const {
   for (TargetTrack& track : scene.tracks) {
     if (!track.used) continue;
@@ -70,7 +70,8 @@ bool TargetSearch::draw(const BirthSeed& seed, double& log_odds, JointScene& sce
   if (scene.sampler.sample(task, scene.likelihood, scene.random, scene.fresh).log_evidence <
       least - params_.doubtful)
     return false;
-  // Of many seeds the luckiest estimates stand out: once more, with trajectories that nothing was chosen by.
+  // The seed was chosen because this estimate was high, so the estimate is too high on average. The odds come
+  // from a second one, by new draws, which played no part in the choice.
   task.guess = scene.fresh.moments();
   task.samples = cloud_.trajectories;
   const SamplingResult result = scene.sampler.sample(task, scene.likelihood, scene.random, scene.fresh);
@@ -95,7 +96,7 @@ void TargetSearch::begin(const BirthSeed& seed, JointScene& scene) {
 }
 
 void TargetSearch::claim(TargetTrack& track, JointScene& scene) {
-  const MemorySpan memory{.line_s = cloud_.memory_s};
+  const MemorySpan memory{.constant_velocity_s = cloud_.memory_s};
   claims_.claim_memory(scene.slot_of(track), track, memory_of(track, scene.scans(), memory),
                        scene.likelihood);
 }

@@ -11,9 +11,9 @@
 
 namespace lookout::csht {
 
-/// Finds targets beyond those that a scene holds: seeds from pairs of detections that no hypothesis explains,
-/// then the evidence for each by importance sampling, given what the hypotheses before it have claimed. What
-/// is worth keeping becomes a hypothesis of the scene. docs/joint_estimator.md.
+/// Finds targets that a scene has no hypothesis for: pairs of detections that none explains give seeds, and
+/// importance sampling gives the evidence for each ([Cappe2004] Sec. 2), less what the hypotheses before it
+/// have claimed. Seeds that are probable enough become hypotheses of the scene. docs/joint_estimator.md.
 class TargetSearch {
  public:
   /// @param params validated.
@@ -22,15 +22,16 @@ class TargetSearch {
   /// Looks for new targets at the newest scan. @return the slots of those found; valid until the next call.
   std::span<const int> find(JointScene& scene);
 
-  /// Weighs seeds from outside as its own. @return the slots of those kept; valid until the next call.
+  /// Weighs seeds of another method as it does its own. @return the slots of those kept; valid until the next
+  /// call.
   std::span<const int> weigh(std::span<const BirthSeed> seeds, JointScene& scene);
 
-  /// Takes the newest scan into a hypothesis, the claims of all others left out: weights and odds follow.
+  /// Takes the newest scan into the weights and the odds of a hypothesis, given the claims of all others.
   /// @return whether enough of its trajectories still count; else it should be revised.
   bool update(TargetTrack& track, JointScene& scene) const;
 
-  /// Draws the density and the odds of a hypothesis anew from the whole window, the claims of all others left
-  /// out; its claims follow. The odds are those of nothing where no trajectory fits.
+  /// Draws the density of a hypothesis anew from the whole window, given the claims of all others, and with
+  /// it its odds and claims. Where no trajectory fits, its odds become very low.
   void revise(TargetTrack& track, JointScene& scene);
 
  private:
@@ -50,7 +51,7 @@ class TargetSearch {
   std::vector<int> found_;
 };
 
-/// An element of another method as a seed: its state, spread and age.
+/// An element of another method as a seed: its state, its covariance and since when it is there.
 BirthSeed seed_of(const core::MotionElement& element, const ScanHistory& scans);
 
 }  // namespace lookout::csht

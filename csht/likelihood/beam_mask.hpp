@@ -6,10 +6,11 @@ namespace lookout::csht {
 
 struct ScanTable;
 
-/// Which echoes of one scan another target has a claim on. For beams: slots as in ScanTable; a target beyond
-/// `range` in a slot is seen only with probability 1 - share, so its likelihood ratio becomes share + (1 -
-/// share) L, which still averages 1 over clutter; one nearer than `range` takes the slot from its owner,
-/// which `nearer` accounts for. For point sensors: one entry a detection, whose weight becomes 1 - share.
+/// Which returns of one scan other targets claim. For beams, slots are as in ScanTable. The owner of a slot
+/// hides what is beyond its `range` with probability `share`: the likelihood ratio L there becomes share + (1
+/// - share) L, which still averages 1 over clutter. A target nearer than `range` hides the owner, which
+/// `nearer` accounts for. For sensors without beams there is one entry for each detection, which counts by 1
+/// - share.
 struct BeamMask {
   std::vector<float> range;  ///< Range of the owner [m]; beyond every target where there is none.
   std::vector<float> share;  ///< Probability that the owner is in this slot (made this detection), in [0, 1].

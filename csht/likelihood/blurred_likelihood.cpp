@@ -24,12 +24,12 @@ struct SlotLanes {
 struct Block {
   float gain, inverse_sigma;
   Lane range;      // From the sonar [m].
-  Lane beam;       // Where the reported pose puts the target, in slots and parts of one.
+  Lane beam;       // Where the stated pose puts the target, in slots and parts of one.
   Lane steepness;  // Of the logistic function over beams.
   Lane below;      // Share of the slots passed so far.
   Lane mixed;      // Their part of the likelihood ratio.
-  Lane lost;       // Probability that noise takes an echo out of the range gate,
-  bool loses;      // where it does so for some of them; else unset.
+  Lane lost;       // Probability that noise takes a return out of the range gate; set only if `loses`.
+  bool loses;      // Noise does so for some of the hypotheses.
   std::array<int, kBlurBlock> slot;
   SlotLanes lanes;
 };
@@ -57,7 +57,8 @@ void start(const ScanTable& scan, const float* range, const float* bearing, std:
   }
 }
 
-// The slot that stands for any number: the sector's repetition, or outside it the first and the last.
+// The slot for any beam number: around the whole circle the numbers repeat; outside a sector it is the first
+// or the last.
 int slot_of(const ScanTable& scan, int slot) {
   if (!scan.whole_circle) return std::clamp(slot, 0, scan.num_beams + 1);
   const int beam = (slot - 1) % scan.num_beams;
@@ -89,7 +90,8 @@ inline __attribute__((always_inline)) float masked_ratio(const Block& b, std::si
   return b.range[i] > b.lanes.mask_range[i] ? share + (1.0F - share) * ratio : ratio * b.lanes.mask_nearer[i];
 }
 
-// Adds the loaded slots' part: their share is what the distribution gains over them.
+// Adds the loaded slots' part to the mean; their probability is what the distribution function gains over
+// them.
 template <bool kMasked>
 inline __attribute__((always_inline)) void mix_slot(std::size_t count, bool last, Block& b) {
   for (std::size_t i = 0; i < count; ++i) {
@@ -111,7 +113,7 @@ void mix_masked(std::size_t count, bool last, Block& b) {
   mix_slot<true>(count, last, b);
 }
 
-// Where the reported pose puts one position.
+// Where the stated pose puts one position.
 struct Placed {
   double range, beam, spread;  // [m], in slots and parts of one, standard deviation in beams.
 };

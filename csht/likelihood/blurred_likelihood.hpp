@@ -8,9 +8,9 @@
 namespace lookout::csht {
 
 // The likelihood of a scan whose pose is uncertain: a target may have been in any beam about the one where
-// the reported pose puts it, and its likelihood ratio is the mean over those beams, each weighted with the
-// probability that the target was in it. Targets share the error; here it is taken as independent from one
-// to the next, which gives away what they tell of each other. Our own; docs/scan_likelihood.md.
+// the stated pose puts it, and its likelihood ratio is the mean over those beams, each weighted with the
+// probability that the target was in it. All targets of a scan share the error; here each has its own, which
+// loses what they tell of each other. This project's own; docs/scan_likelihood.md.
 
 inline constexpr int kMostBlurReach = 8;  ///< Beams to either side; what lies beyond counts as the outermost.
 inline constexpr std::size_t kBlurBlock = 64;  ///< Most targets that `find_blurred_ratios` takes at a time.
@@ -33,7 +33,8 @@ struct BeamShares {
   std::array<int, 2 * kMostBlurReach + 1> beam{};      ///< -1 or num_beams outside the sector.
   std::array<double, 2 * kMostBlurReach + 1> share{};  ///< Probabilities that sum to 1.
 };
-/// Those of a position in the earth frame [m]: where the pose may have put it, times what each beam returned.
+/// Those of a position in the earth frame [m]: the probability of each beam by the errors of the pose, times
+/// the likelihood ratio of what it returned, normalised.
 BeamShares beam_shares(const ScanTable& scan, const Eigen::Vector2d& p_earth, const Tolerance& tolerance);
 
 }  // namespace lookout::csht

@@ -8,7 +8,7 @@
 namespace lookout::csht {
 namespace {
 
-double echo_weight(const ScanTable& scan, double range, double bearing, std::size_t detection) {
+double return_weight(const ScanTable& scan, double range, double bearing, std::size_t detection) {
   const double dr = (range - scan.detections[detection].range) * scan.inverse_sigma;
   const double db =
       core::wrap_to_pi(bearing - scan.bearing_from_axis[detection]) * scan.inverse_bearing_sigma;
@@ -84,7 +84,7 @@ void ClaimSet::claim_points(const ScanTable& scan, double existence, BeamMask& m
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     double share = 0.0;
     for (std::size_t i = 0; i < range_.size(); ++i)
-      share += echo_weight(scan, static_cast<double>(range_[i]), static_cast<double>(bearing_[i]), j);
+      share += return_weight(scan, static_cast<double>(range_[i]), static_cast<double>(bearing_[i]), j);
     claim_detection(j, existence * share / static_cast<double>(range_.size()), mask);
   }
 }

@@ -45,7 +45,8 @@ void add_point(const Shape& shape, float gain, float range, float bearing, const
   }
 }
 
-// Raises `merged` to the probability that a target's return is one with this one.
+// Raises `merged` to the probability that a target has no return of its own because it is merged with this
+// one.
 LOOKOUT_VECTOR_CLONES
 void merge_with(float inverse_resolution, float share, float range, float bearing, const Block& b,
                 float* merged) {

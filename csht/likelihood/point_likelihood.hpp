@@ -11,7 +11,8 @@ namespace lookout::csht {
 // and bearing, or none, among clutter uniform over both. Where the sensor has a resolution, the return of a
 // target near another's is one with it, by the probability m = share x 2^-(distance / resolution)^2 of the
 // best claimed return: its likelihood ratio L becomes (1 - m) L + m, so that having no return of its own says
-// nothing. Our own; docs/scan_likelihood.md.
+// nothing. This project's own; docs/scan_likelihood.md. Without a resolution it is
+// the usual one in Poisson clutter, [BarShalom2011].
 
 inline constexpr std::size_t kPointBlock = 64;  ///< Most targets that `find_point_ratios` takes at a time.
 

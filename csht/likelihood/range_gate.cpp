@@ -10,8 +10,9 @@
 namespace lookout::csht {
 namespace {
 
-constexpr float kFarSigmas = 4.0F;  // From an end of the gate, beyond which 3 echoes of 100,000 are lost.
-constexpr double kNoTail = 8.0;     // In sigmas: 1e-15.
+// Farther from an end of the gate, fewer than 3 returns in 100,000 are lost.
+constexpr float kFarSigmas = 4.0F;
+constexpr double kNoTail = 8.0;  // In sigmas: 1e-15.
 
 struct NearEnds {
   bool low, high;

@@ -4,10 +4,11 @@
 
 namespace lookout::csht {
 
-// Sonars report ranges in (0, max_range] alone: noise takes some echoes of a target near either end out of
-// them, and its beam stays silent. A silence there is less of a miss than elsewhere. docs/scan_likelihood.md.
+// Sonars report ranges in (0, max_range] alone. Near either end, noise takes the range of some returns out of
+// it, and the beam is silent: a silence there says less against a target than elsewhere.
+// docs/scan_likelihood.md.
 
-/// Writes to `lost` the probability that noise takes an echo of a target at each range [m] out of the gate,
+/// Writes to `lost` the probability that noise takes a return of a target at each range [m] out of the gate,
 /// within 1e-6. Vectorised; single precision.
 /// @param inverse_sigma of the noise [1/m]. @param lost as many as ranges.
 /// @return false, with nothing written, where no range is within four sigma of an end.

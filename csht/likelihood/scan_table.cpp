@@ -10,30 +10,30 @@
 namespace lookout::csht {
 namespace {
 
-// Where a slot without an echo of its own has its range [m]: no position is near it, and silent() reads it.
+// The range of a slot without a return [m]: no position is near it, and silent() knows it.
 constexpr float kFar = -1e6F;
 
-constexpr double kBlurSigmas =
-    2.0;  // Of the heading, beyond which a target is taken for in the outermost beam.
+// How many sigmas of the heading's error `blur_reach` covers; what lies beyond counts as its outermost beam.
+constexpr double kBlurSigmas = 2.0;
 
-struct EchoWorth {
-  double gain = 0.0;                              // Factor of the Gaussian at an echo of the target.
-  double foreign = 0.0;                           // Likelihood ratio of an echo that cannot be the target's.
+struct ReturnWorth {
+  double gain = 0.0;                              // Height of the Gaussian where the target's return fits.
+  double foreign = 0.0;                           // Likelihood ratio of a return that cannot be the target's.
   double silence = 0.0;                           // Likelihood ratio of a silent beam.
-  double foreign_lost = 0.0, silence_lost = 0.0;  // What both gain where the target's echo is surely lost.
+  double foreign_lost = 0.0, silence_lost = 0.0;  // What both gain where the target's return is surely lost.
 };
 
 // [Yan2018] V as a likelihood ratio "target here" against "no target here"; each averages 1 over clutter.
-EchoWorth worth_of(const SensorFigures& f, const SensorModelParams& model, double max_range) {
+ReturnWorth worth_of(const SensorFigures& f, const SensorModelParams& model, double max_range) {
   const double height = max_range / (f.range_sigma * std::sqrt(2.0 * std::numbers::pi));
   const double detect = 1.0 - f.miss_probability;
-  EchoWorth worth;
+  ReturnWorth worth;
   if (model.clutter == ClutterModel::exclusive_beam) {
     worth.gain = detect / f.false_alarm_probability * height;
     worth.foreign = std::exp(model.log_floor);
     worth.silence = f.miss_probability / (1.0 - f.false_alarm_probability);
     worth.silence_lost = detect / (1.0 - f.false_alarm_probability);
-  } else {  // Of a target's echo and a false alarm in one beam, either is reported.
+  } else {  // Of a target's return and a false alarm in one beam, either is reported.
     worth.gain = detect * (1.0 - 0.5 * f.false_alarm_probability) / f.false_alarm_probability * height;
     worth.foreign = 1.0 - 0.5 * detect;
     worth.silence = f.miss_probability;
@@ -44,7 +44,7 @@ EchoWorth worth_of(const SensorFigures& f, const SensorModelParams& model, doubl
 }
 
 void set_beam_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
-  const EchoWorth worth = worth_of(figures, model, table.max_range);
+  const ReturnWorth worth = worth_of(figures, model, table.max_range);
   table.gain = static_cast<float>(worth.gain);
   for (std::size_t slot = 0; slot < table.range.size(); ++slot) {
     const bool silent = table.range[slot] < 0.0F;
@@ -94,8 +94,8 @@ void fill_slots(ScanTable& table) {
     table.bearing_from_axis.push_back(static_cast<float>(core::wrap_to_pi(detection.azimuth - table.axis)));
     if (detection.beam < 0 || detection.beam >= table.num_beams) continue;
     float& range = table.range[static_cast<std::size_t>(detection.beam) + 1];
-    const auto echo = static_cast<float>(detection.range);
-    range = range < 0.0F ? echo : std::min(range, echo);
+    const auto reported = static_cast<float>(detection.range);
+    range = range < 0.0F ? reported : std::min(range, reported);
   }
   if (!table.whole_circle) return;
   table.range.front() = table.range[slots - 2];
@@ -139,9 +139,9 @@ void set_heading_error(const HeadingError& error, const SensorFigures& figures, 
   table.heading_error = error;
   table.T_earth_sonar.heading = core::wrap_to_pi(table.T_earth_sonar.heading + turn);
   set_axis(table.axis + turn, table);
-  for (core::Detection& echo : table.detections) {
-    echo.azimuth = core::wrap_to_pi(echo.azimuth + turn);
-    echo.p_earth = echo.p_earth_sonar + core::from_polar(echo.range, echo.azimuth);
+  for (core::Detection& detection : table.detections) {
+    detection.azimuth = core::wrap_to_pi(detection.azimuth + turn);
+    detection.p_earth = detection.p_earth_sonar + core::from_polar(detection.range, detection.azimuth);
   }
   set_blur(figures, table);
 }

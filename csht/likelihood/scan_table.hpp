@@ -39,7 +39,7 @@ struct ScanTable {
   /// far away.
   std::vector<float> range;
   std::vector<float> base;  ///< Likelihood ratio of a slot far from its return, 0 to 1.
-  /// What the base gains, times the probability that noise takes the target's echo out of the range gate.
+  /// What the base gains, times the probability that noise takes the target's return out of the range gate.
   std::vector<float> lost;
   float gain = 0.0F;           ///< Height of the return's peak above `base`.
   float inverse_sigma = 0.0F;  ///< [1/m].
@@ -50,8 +50,8 @@ struct ScanTable {
   float half_sector = 0.0F;            ///< Beyond it from `axis` nothing is seen [rad].
 
   /// What the errors of the pose do to beams; see blurred_likelihood.hpp.
-  int blur_reach = 0;         ///< Beams to either side of the reported one that a target may be in; 0: exact.
-  float blur_heading = 0.0F;  ///< Standard deviation by the heading [beams].
+  int blur_reach = 0;          ///< Beams to either side of the stated one that a target may be in; 0: exact.
+  float blur_heading = 0.0F;   ///< Standard deviation by the heading [beams].
   float blur_position = 0.0F;  ///< By the position, times the range [beams x m].
 
   /// Whether the beam returned nothing; 0 <= beam < num_beams.
@@ -63,7 +63,8 @@ struct ScanTable {
 /// @return how many returns were left out as impossible.
 int fill_scan_table(const core::PosedScan& scan, ScanTable& table);
 
-/// Writes the figures into a filled table: what an echo, a silence and a foreign echo are worth.
+/// Writes the figures into a filled table: the likelihood ratios of a return that fits the target, of one
+/// that does not, and of a silence.
 void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table);
 
 /// Turns a filled table with figures to the heading that is now believed, as uncertain as it is now.

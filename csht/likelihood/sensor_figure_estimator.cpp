@@ -12,13 +12,13 @@
 namespace lookout::csht {
 namespace {
 
-constexpr double kHidden = 0.5;  // Behind another target with at least this probability, a miss says nothing.
+constexpr double kHidden = 0.5;  // A target behind one that exists with more than this may have been hidden.
 
-// What one sample of a trajectory makes of one scan.
+// What became of a target in one scan, if a sampled trajectory is its.
 struct Sighting {
-  double echo = 0.0, silence = 0.0;    // Probability of an echo of its own, and of a miss.
-  double lost = 0.0;                   // Of an echo that noise took out of the range gate.
-  double residual = 0.0, range = 0.0;  // Of the echo, and of the prediction [m].
+  double reported = 0.0, silence = 0.0;  // Probability of a return of its own, and of a miss.
+  double lost = 0.0;                     // Of a return that noise took out of the range gate.
+  double residual = 0.0, range = 0.0;    // Of the return, and of the prediction [m].
 };
 
 Sighting sight_in_beam(const ScanTable& scan, double range, double bearing) {
@@ -33,14 +33,15 @@ Sighting sight_in_beam(const ScanTable& scan, double range, double bearing) {
   const double residual = scan.range[slot] - range;
   const double sigmas = residual * scan.inverse_sigma;
   const double own = scan.gain * std::exp(-0.5 * sigmas * sigmas);
-  // An echo of something else: this sample is in the wrong beam, or the model is; it teaches nothing.
+  // A return that does not fit is of something else: the trajectory or the model is wrong, so that neither a
+  // detection nor a miss is learnt.
   return {own / (own + scan.base[slot]), 0.0, 0.0, residual, range};
 }
 
 Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
   if (std::abs(bearing) > scan.half_sector || range > scan.max_range) return {};
   const double lost = scan.lost[1] * lost_share(scan.max_range, scan.inverse_sigma, range);
-  double echoes = 0.0, best = 0.0;
+  double returns = 0.0, best = 0.0;
   Sighting sighting{0.0, 0.0, 0.0, 0.0, range};
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     const double dr = scan.detections[j].range - range;
@@ -49,10 +50,10 @@ Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
     const double own = scan.gain * std::exp(-0.5 * (sigmas * sigmas + db * db));
     if (own > best) sighting.residual = dr;
     best = std::max(best, own);
-    echoes += own;
+    returns += own;
   }
-  const double total = echoes + scan.base[1] + lost;
-  sighting.echo = echoes / total;
+  const double total = returns + scan.base[1] + lost;
+  sighting.reported = returns / total;
   sighting.silence = scan.base[1] / total;
   sighting.lost = lost / total;
   return sighting;
@@ -66,8 +67,8 @@ Sighting sight(const ScanTable& scan, const Eigen::Vector4d& state, double secon
                                              : sight_in_beam(scan, std::hypot(dn, de), bearing);
 }
 
-// Whether a target makes another's miss worthless: nearer in the same beam or, of a point sensor, nearer to
-// it than the resolution. Both as seen from the sonar.
+// Whether a target may hide another, whose miss then teaches nothing: it is nearer in the same beam or, for a
+// sensor without beams, closer to it than the resolution. Both positions are relative to the sonar.
 bool hides(const ScanTable& scan, const Eigen::Vector2d& target, const Eigen::Vector2d& other) {
   if (scan.clutter == ClutterModel::point)
     return scan.inverse_resolution > 0.0F &&
@@ -105,7 +106,7 @@ SensorFigureEstimator::SensorFigureEstimator(const SensorFigureParams& params, c
   miss_ = {weight * params.unknown_miss, weight};
   false_alarm_ = {weight * params.unknown_false_alarm, weight};
   squares_ = params.sigma_weight * given.range_sigma * given.range_sigma;
-  echoes_ = params.sigma_weight;
+  returns_ = params.sigma_weight;
   choose();
 }
 
@@ -113,7 +114,7 @@ void SensorFigureEstimator::update(const ScanHistory& history, std::span<const K
   const double factor = 1.0 - 1.0 / params_.memory_scans;
   miss_.fade(factor);
   false_alarm_.fade(factor);
-  for (double* value : {&clutter_sum_, &clutter_scans_, &squares_, &echoes_}) *value *= factor;
+  for (double* value : {&clutter_sum_, &clutter_scans_, &squares_, &returns_}) *value *= factor;
   utime_ = history.newest().utime;
   num_beams_ = history.newest().num_beams;
   claims_.clear(history, 1);
@@ -126,7 +127,7 @@ void SensorFigureEstimator::update(const ScanHistory& history, std::span<const K
   choose();
 }
 
-// Beams (returns) that no target owns.
+// False alarms: in beams that no target owns; of a sensor without beams, returns that none owns.
 void SensorFigureEstimator::learn_clutter(const ScanTable& newest) {
   const BeamMask* mask = claims_.at_age(0);
   if (newest.clutter == ClutterModel::point) {
@@ -142,7 +143,7 @@ void SensorFigureEstimator::learn_clutter(const ScanTable& newest) {
   }
 }
 
-// Once per scan and target, when the scans after it have settled where the target was.
+// Called once for each scan and target, `settle_scans` later, when it is known where the target was.
 void SensorFigureEstimator::learn_target(const ScanHistory& history, std::size_t index,
                                          std::span<const KnownTarget> targets) {
   const ScanTable& scan = history.at_age(params_.settle_scans);
@@ -156,18 +157,18 @@ void SensorFigureEstimator::learn_target(const ScanHistory& history, std::size_t
   const Eigen::Vector2d own = line_of_sight(targets[index]);
   for (std::size_t k = 0; k < targets.size(); ++k)
     if (k != index && targets[k].existence > kHidden && hides(scan, line_of_sight(targets[k]), own)) return;
-  learn_echo(scan, samples, seconds);
+  learn_return(scan, samples, seconds);
 }
 
-void SensorFigureEstimator::learn_echo(const ScanTable& scan, std::span<const Eigen::Vector4d> samples,
-                                       double seconds) {
+void SensorFigureEstimator::learn_return(const ScanTable& scan, std::span<const Eigen::Vector4d> samples,
+                                         double seconds) {
   const double weight = 1.0 / static_cast<double>(samples.size());
-  double echo = 0.0, silence = 0.0, lost = 0.0;
+  double reported = 0.0, silence = 0.0, lost = 0.0;
   double residual = 0.0, range = 0.0, range_squares = 0.0;
   for (const auto& sample : samples) {
     const Sighting sighting = sight(scan, sample, seconds);
-    const double own = weight * sighting.echo;
-    echo += own;
+    const double own = weight * sighting.reported;
+    reported += own;
     silence += weight * sighting.silence;
     lost += weight * sighting.lost;
     residual += own * sighting.residual;
@@ -175,16 +176,17 @@ void SensorFigureEstimator::learn_echo(const ScanTable& scan, std::span<const Ei
     range_squares += own * sighting.range * sighting.range;
   }
   miss_.hits += silence;
-  miss_.trials += silence + echo + lost;
-  if (echo < 0.5) return;
-  // The trajectory was drawn to this echo: its residual about the mean falls short of sigma by its spread.
-  const double mean = residual / echo;
-  const double spread = range_squares / echo - (range / echo) * (range / echo);
-  squares_ += echo * (mean * mean + spread);
-  echoes_ += echo;
+  miss_.trials += silence + reported + lost;
+  if (reported < 0.5) return;
+  // The return has drawn the trajectories towards it, so that its distance from their mean is too small on
+  // average; the variance of the trajectories makes up for that.
+  const double mean = residual / reported;
+  const double spread = range_squares / reported - (range / reported) * (range / reported);
+  squares_ += reported * (mean * mean + spread);
+  returns_ += reported;
 }
 
-// A given figure stands until the stream contradicts it.
+// A given figure is used until the scans contradict it.
 void SensorFigureEstimator::choose() {
   const core::SensorEstimate now = estimate();
   const auto doubted = [this](double given, double mean, double sigma) {
@@ -197,8 +199,8 @@ void SensorFigureEstimator::choose() {
       given_.false_alarm_probability && doubted(*given_.false_alarm_probability, now.false_alarm_probability,
                                                 now.false_alarm_probability_sigma);
   doubts_sigma_ = doubted(given_.range_sigma, now.range_sigma, now.range_sigma_sigma);
-  // False alarms tell in a scan or two, misses after sure targets alone: until then, figures of which one
-  // is wrong are not believed in the other.
+  // Whether P_F is wrong shows in a scan or two, whether P_M is only after targets were tracked. Until then a
+  // P_M that was given along with a wrong P_F is not believed either.
   if (!given_.miss_probability || doubts_miss_ || doubts_false_) use.miss_probability = now.miss_probability;
   if (!given_.false_alarm_probability || doubts_false_)
     use.false_alarm_probability = now.false_alarm_probability;
@@ -217,8 +219,8 @@ core::SensorEstimate SensorFigureEstimator::estimate() const {
     estimate.false_alarm_probability = clutter_sum_ / clutter_scans_ / num_beams_;
     estimate.false_alarm_probability_sigma = std::sqrt(clutter_sum_ + 1.0) / clutter_scans_ / num_beams_;
   }
-  estimate.range_sigma = std::sqrt(squares_ / echoes_);
-  estimate.range_sigma_sigma = estimate.range_sigma / std::sqrt(2.0 * echoes_);
+  estimate.range_sigma = std::sqrt(squares_ / returns_);
+  estimate.range_sigma_sigma = estimate.range_sigma / std::sqrt(2.0 * returns_);
   return estimate;
 }
 

@@ -12,30 +12,30 @@
 
 namespace lookout::csht {
 
-/// A target as far as the sensor's figures are concerned: equally likely trajectories at the newest scan.
+/// A target as the sensor's figures are learnt from it.
 struct KnownTarget {
-  /// States north, east [m], north and east velocity [m/s] at the newest scan.
+  /// Equally likely states at the newest scan: north, east [m], north and east velocity [m/s].
   std::span<const Eigen::Vector4d> samples;
   double existence = 0.0;  ///< Probability that there is a target.
-  /// For so many scans before the newest its trajectories are known to hold; it says nothing of older ones,
-  /// where it may not have been there yet.
+  /// Its trajectories hold for so many scans before the newest. Older scans teach nothing of it: it may not
+  /// have been there yet.
   int held_scans = std::numeric_limits<int>::max();
 };
 
 /// Parameters of SensorFigureEstimator.
 struct SensorFigureParams {
   double memory_scans = 600.0;  ///< Older scans count less, by e-folding, > 1.
-  int settle_scans = 10;        ///< Scans after which a trajectory tells an echo from a miss, >= 1.
+  int settle_scans = 10;  ///< Scans after which it is known whether a target was detected or missed, >= 1.
   double sure_existence = 0.9;  ///< Least existence of a target that teaches P_M and sigma, in [0, 1].
-  double doubt_sigmas = 4.0;    ///< A given figure farther than this from its estimate is not used, > 0.
-  double unknown_miss =
-      0.5;  ///< P_M before anything is learnt, in (0, 1): it costs little wherever the truth is.
+  double doubt_sigmas = 4.0;    ///< A given figure so many standard errors off its estimate is not used, > 0.
+  /// P_M before anything is learnt, in (0, 1): in the middle, where an error costs least.
+  double unknown_miss = 0.5;
   double unknown_false_alarm = 0.2;  ///< P_F likewise, in (0, 1); one scan outweighs it.
   double prior_weight = 4.0;         ///< Of these two, in trials, > 0.
-  double sigma_weight = 20.0;        ///< Of the given range sigma, in echoes, > 0.
+  double sigma_weight = 20.0;        ///< Of the given range sigma, in returns, > 0.
 };
 
-/// P_F, P_M and range sigma from the stream itself: silent and reporting beams that no target owns, echoes
+/// P_F, P_M and range sigma from the stream itself: silent and reporting beams that no target owns, returns
 /// and misses of sure targets, their range residuals. Figures that are given are used until the stream
 /// contradicts them; then the estimate is used, and said so. Once P_F is contradicted, P_M is estimated too.
 class SensorFigureEstimator {
@@ -66,7 +66,7 @@ class SensorFigureEstimator {
 
   void learn_clutter(const ScanTable& newest);
   void learn_target(const ScanHistory& history, std::size_t index, std::span<const KnownTarget> targets);
-  void learn_echo(const ScanTable& scan, std::span<const Eigen::Vector4d> samples, double seconds);
+  void learn_return(const ScanTable& scan, std::span<const Eigen::Vector4d> samples, double seconds);
   void choose();
 
   SensorFigureParams params_;
@@ -75,7 +75,7 @@ class SensorFigureEstimator {
   ClaimSet claims_;
   Share miss_, false_alarm_;
   double clutter_sum_ = 0.0, clutter_scans_ = 0.0;  ///< Returns of no target, and scans. Point sensors.
-  double squares_ = 0.0, echoes_ = 0.0;             ///< Squared range residuals [m^2], and echoes.
+  double squares_ = 0.0, returns_ = 0.0;            ///< Squared range residuals [m^2], and returns.
   std::int64_t utime_ = 0;
   int num_beams_ = 1;
   bool doubts_miss_ = false, doubts_false_ = false, doubts_sigma_ = false;

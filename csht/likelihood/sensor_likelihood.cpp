@@ -16,7 +16,7 @@ namespace lookout::csht {
 namespace {
 
 constexpr std::size_t kBlock = 64;   // Hypotheses at a time: the block's arrays stay in the first cache.
-constexpr std::size_t kFewNear = 4;  // Fewer than one in so many near an edge are few.
+constexpr std::size_t kFewNear = 4;  // Near an edge are few, if fewer than one in so many.
 static_assert(kBlock <= kPointBlock);
 using Lane = std::array<float, kBlock>;
 
@@ -42,8 +42,8 @@ struct Block {
   Lane bearing;  // From the sector's middle [rad].
   Lane seen;     // 1 within the maximum range, else 0.
   Lane weight;   // Of the neighbour slot in the mixture at a beam edge.
-  Lane lost;     // Probability that noise takes an echo out of the range gate,
-  bool loses;    // where it does so for some of them; else unset.
+  Lane lost;     // Probability that noise takes a return out of the range gate; set only if `loses`.
+  bool loses;    // Noise does so for some of the hypotheses.
   std::array<int, kBlock> slot, neighbour;
   SlotLanes own, other;
   Lane ratio;
@@ -145,7 +145,7 @@ void mix_neighbours_masked(std::size_t count, Block& b) {
 }
 
 LOOKOUT_VECTOR_CLONES
-void forget_unseen(std::size_t count, Block& b) {
+void forget_out_of_view(std::size_t count, Block& b) {
   for (std::size_t i = 0; i < count; ++i) b.ratio[i] = b.seen[i] > 0.5F ? b.ratio[i] : 1.0F;
 }
 
@@ -168,7 +168,7 @@ void score_slots(const ScanTable& scan, const BeamMask* mask, std::size_t count,
     b.ratio[i] += b.weight[i] * (slot_ratio<kMasked>(b.shape, b.other, b.range[i], i) - b.ratio[i]);
   }
   if (!few) kMasked ? mix_neighbours_masked(count, b) : mix_neighbours_free(count, b);
-  forget_unseen(count, b);
+  forget_out_of_view(count, b);
 }
 
 void score_beams(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {

@@ -22,12 +22,13 @@ struct HypothesisSpan {
 void locate(const ScanTable& scan, const HypothesisSpan& hypotheses, double seconds, std::span<float> range,
             std::span<float> bearing);
 
-/// How much wider than the sensor's own errors a hypothesis may miss. A search starts wide; the verdict is
-/// exact.
+/// By how much more than the sensor's own errors a hypothesis may miss a return. A search starts wide; the
+/// last word is exact.
 struct Tolerance {
   double sigma_scale = 1.0;  ///< Factor on the range (and a point sensor's bearing) sigma, >= 1.
-  /// Half width of a softened beam edge in beams, in (0, 0.5]: within it the likelihood is a normalised
-  /// mixture of both beams, for a cloud of hypotheses dies at a hard edge.
+  /// Half width of a softened beam edge [beams], in (0, 0.5]: within it the likelihood is a normalised
+  /// mixture of both beams. At a hard edge a cloud of hypotheses would lose all members on the wrong side at
+  /// once.
   double edge_softness = 0.1;
 };
 

@@ -10,7 +10,7 @@
 namespace lookout::csht {
 namespace {
 
-constexpr double kLeastProbability = 0.005;  // A silence or an echo then weighs at most ln 200 = 5.3 nats.
+constexpr double kLeastProbability = 0.005;  // A silence or a return is then worth 5.3 nats at most, ln 200.
 constexpr double kLeastClutter = 0.01;       // Returns a scan.
 
 double away_from_certainty(double probability) {

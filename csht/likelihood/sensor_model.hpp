@@ -4,7 +4,7 @@
 
 namespace lookout::csht {
 
-/// What an echo can be, given a target in its beam.
+/// What a return may be in a beam that holds a target.
 enum class ClutterModel {
   exclusive_beam,  ///< A beam with a target never carries a false alarm. [Yan2018] V. Light clutter is this
                    ///< model at its equivalent rate (sonar_sim::known_params).
@@ -27,10 +27,10 @@ struct SensorFigures {
 /// How the likelihood reads a scan.
 struct SensorModelParams {
   ClutterModel clutter = ClutterModel::exclusive_beam;  ///< How false returns come about.
-  /// Lowest log-likelihood ratio of an echo that is not the target's, in [-50, 0). It stands for what the
-  /// model leaves out; lower gains nothing, -3 doubles the false tracks (docs/scan_likelihood.md).
+  /// Lowest log-likelihood ratio of a return that is not the target's, in [-50, 0). It stands for what the
+  /// model leaves out. A lower one gains nothing, -3 doubles the false tracks (docs/scan_likelihood.md).
   double log_floor = -8.0;
-  /// Noise takes echoes out of (0, max_range], and a silence near either end is that much less of a miss.
+  /// Noise takes returns out of (0, max_range], and a silence near either end is that much less of a miss.
   bool range_gate = true;
 };
 

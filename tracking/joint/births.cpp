@@ -17,7 +17,7 @@ void Births::begin(const core::PosedScan& scan, std::span<const core::MotionElem
   tell(adopted_, state);
 }
 
-// What another method found, under the exact likelihood.
+// Begins those elements of another method that are probable enough under the exact likelihood.
 void Births::weigh(std::span<const core::MotionElement> elements, TrackerState& state) {
   seeds_.clear();
   for (const core::MotionElement& element : elements) seeds_.push_back(seed_of(element, state.scans()));

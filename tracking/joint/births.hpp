@@ -14,17 +14,17 @@
 
 namespace lookout::tracking {
 
-/// Begins tracks: on the hypotheses that the joint estimator found in the tracker's own scene, on the
-/// elements of another estimator, or on what a birth method proposes. The last two are weighed as seeds.
+/// Begins tracks: the joint estimator leaves its hypotheses in the tracker's own scene, where they are tracks
+/// at once; elements of another estimator, or of a birth method, are weighed as seeds first.
 class Births {
  public:
-  /// @param params validated. @param proposals in place of motion elements; null: those.
+  /// @param params validated. @param proposals replaces the motion elements; null: they are used.
   Births(const JointTrackerParams& params, std::unique_ptr<BirthMethod> proposals);
 
   /// Whether tracks begin on motion elements.
   bool takes_elements() const { return proposals_ == nullptr; }
 
-  /// Begins tracks at the newest scan, which is `scan`.
+  /// Begins tracks at the newest scan, which is `scan`. @param elements that an estimator found in it.
   void begin(const core::PosedScan& scan, std::span<const core::MotionElement> elements, TrackerState& state);
 
  private:
@@ -36,7 +36,7 @@ class Births {
   std::unique_ptr<BirthMethod> proposals_;
   std::vector<csht::BirthSeed> seeds_;
   std::vector<int> adopted_;
-  std::vector<core::Track> living_;  ///< What `proposals_` is told of the tracks.
+  std::vector<core::Track> living_;  ///< The tracks as `proposals_` takes them.
 };
 
 }  // namespace lookout::tracking

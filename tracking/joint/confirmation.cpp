@@ -6,7 +6,7 @@
 
 namespace lookout::tracking {
 
-void Confirmation::choose(double unseen, TrackerState& state) {
+void Confirmation::choose(double undetected, TrackerState& state) {
   candidates_.clear();
   const double least = least_first_existence(state.scans());
   double tentative = 0.0;
@@ -18,12 +18,12 @@ void Confirmation::choose(double unseen, TrackerState& state) {
     if (p < params_.least_probability || (new_and_doubtful && !params_.report_all)) continue;
     candidates_.push_back({slot, p, track.moments.covariance(0, 0) + track.moments.covariance(1, 1)});
   }
-  const std::size_t count = report_.choose(candidates_, std::max(0.0, unseen - tentative), state.random);
+  const std::size_t count = report_.choose(candidates_, std::max(0.0, undetected - tentative), state.random);
   for (std::size_t i = 0; i < candidates_.size(); ++i)
     confirm(state.tracks[candidates_[i].slot], i < count, state);
 }
 
-// Of a track that was never reported.
+// The existence from which a track that was never reported may be; see ReportParams::first_log_odds.
 double Confirmation::least_first_existence(const csht::ScanHistory& scans) const {
   const double overshoot = csht::log_overshoot(csht::evidence_of(scans.figures(), scans.newest()));
   return csht::probability(std::max(0.0, params_.first_log_odds + overshoot));

@@ -9,15 +9,15 @@
 
 namespace lookout::tracking {
 
-/// What the world is told: which tracks are confirmed, and all that are worth publishing.
+/// Chooses which tracks are confirmed, and makes the list of tracks that is published.
 class Confirmation {
  public:
   /// @param params validated. @param random of the target sets that `ExpectedOspa` draws.
   Confirmation(const ReportParams& params, core::Random& random) : params_(params), report_(params, random) {}
 
-  /// Chooses the tracks that are confirmed at the newest scan. @param unseen mean number of targets in view
-  /// that no sure track stands for.
-  void choose(double unseen, TrackerState& state);
+  /// Chooses the tracks that are confirmed at the newest scan. @param undetected mean number of targets in
+  /// view that no track stands for whose existence is more probable than not.
+  void choose(double undetected, TrackerState& state);
 
   /// The tracks at the newest scan; valid until the next call.
   std::span<const core::Track> publish(TrackerState& state);

@@ -38,7 +38,7 @@ void Deletion::end_lives(TrackerState& state) const {
 }
 
 void Deletion::note_view(csht::TargetTrack& track, const TrackerState& state) const {
-  if (track.echo_share > params_.in_view_share) track.last_detection_utime = state.now();
+  if (track.detected_share > params_.in_view_share) track.last_detection_utime = state.now();
   const bool out = track.visible_share < params_.in_view_share;
   if (!out) track.in_view_utime = state.now();
   if (out != track.out_of_view && track.confirmed_once)

@@ -5,17 +5,18 @@
 
 namespace lookout::tracking {
 
-/// Ends tracks: twins, those that lost their evidence, and those out of view for too long.
+/// Deletes tracks: twins, those that lost their evidence, and those that are out of view for too long.
 class Deletion {
  public:
   /// @param params validated.
   explicit Deletion(const JointTrackerParams& params)
       : params_(params.life), tentative_log_odds_(params.hypotheses.tentative_log_odds) {}
 
-  /// Of two tracks that are on one target the less probable ends.
+  /// Of two tracks on one target (twins) deletes the one that was never confirmed, else the less probable.
   void end_twins(TrackerState& state) const;
 
-  /// Notes who is in view, and ends those whose time has come.
+  /// Notes which tracks are in view and which coast, then deletes those without enough evidence and those
+  /// that are out of view for too long.
   void end_lives(TrackerState& state) const;
 
  private:

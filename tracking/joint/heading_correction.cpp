@@ -47,7 +47,9 @@ bool HeadingCorrection::tells(const csht::TargetTrack& track) const {
   return track.used && !track.out_of_view && track.existence() >= params_.least_existence;
 }
 
-// A track must not be told what it told itself: of so many, on average, one's own share is left out.
+// The heading will be used to update each track, whose own return has helped to find it: its information must
+// not count twice. The share of one of n targets is taken out, by the factor (n - 1) / n; n is their expected
+// number.
 double HeadingCorrection::log_likelihood(std::span<const csht::TargetTrack> tracks) {
   double sum = 0.0, count = 0.0;
   for (const csht::TargetTrack& track : tracks) {

@@ -10,19 +10,20 @@
 
 namespace lookout::tracking {
 
-/// The error of a scan's heading is one for all its targets: where navigation states headings with an error,
-/// the tracks tell which, before the scan is taken in. Each heading of a grid is weighed with its prior and
-/// with the likelihood of the scan under it, the tracks being where they are predicted to be.
-/// docs/joint_tracker.md.
+/// Estimates the error of a scan's heading, which all its targets share, before the tracks are updated: each
+/// heading of a grid has as its weight its prior times the likelihood of the scan, if that were the heading
+/// and the tracks were where they are predicted. docs/joint_tracker.md.
 class HeadingCorrection {
  public:
+  /// @param params validated.
   explicit HeadingCorrection(const HeadingParams& params) : params_(params) {}
 
-  /// Turns the newest scan to the heading that the tracks, predicted to its time, make of it.
+  /// Turns the newest scan to the heading that `find` gives, if it gives one.
   void refine(TrackerState& state);
 
-  /// What the tracks make of the heading of the newest scan; nothing where it is exact, the sensor has no
-  /// beams, or fewer than two tracks tell.
+  /// Mean and standard deviation of the heading's error [rad], from the tracks as predicted to the newest
+  /// scan; nothing where the heading is exact, the sensor has no beams, or fewer than two tracks are sure
+  /// enough.
   std::optional<csht::HeadingError> find(std::span<const csht::TargetTrack> tracks,
                                          const csht::ScanHistory& scans);
 
@@ -32,7 +33,7 @@ class HeadingCorrection {
   csht::HeadingError moments(double step);
 
   HeadingParams params_;
-  csht::ScanTable table_;  ///< The scan as a likelihood without an error of the heading.
+  csht::ScanTable table_;  ///< The newest scan, turned to one heading of the grid after another.
   std::vector<double> log_weight_, weight_, ratio_;
 };
 

@@ -20,13 +20,15 @@ void validate(const MotionChangeParams& p) {
   core::require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);
   core::require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);
   core::require(p.turn_slack > 0.0, "turn_slack must be > 0", p.turn_slack);
-  core::require(p.straighten_nats >= 0.0, "straighten_nats must be >= 0", p.straighten_nats);
+  core::require(p.constant_velocity_nats >= 0.0, "constant_velocity_nats must be >= 0",
+                p.constant_velocity_nats);
   core::require(p.redraw_nats > 0.0, "redraw_nats must be > 0", p.redraw_nats);
   core::require(p.young_windows >= 0, "young_windows must be >= 0", p.young_windows);
   core::require(p.sudden_scans >= 1, "sudden_scans must be >= 1", p.sudden_scans);
   core::require(p.hopeless_nats >= 0.0, "hopeless_nats must be >= 0", p.hopeless_nats);
-  core::require(p.turn_nats >= 0.0, "turn_nats must be >= 0", p.turn_nats);
-  core::require(p.bend_nats >= 0.0, "bend_nats must be >= 0", p.bend_nats);
+  core::require(p.constant_turn_nats >= 0.0, "constant_turn_nats must be >= 0", p.constant_turn_nats);
+  core::require(p.constant_acceleration_nats >= 0.0, "constant_acceleration_nats must be >= 0",
+                p.constant_acceleration_nats);
   core::require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)",
                 p.trusted_share);
 }

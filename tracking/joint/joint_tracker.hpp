@@ -18,15 +18,15 @@
 
 namespace lookout::tracking {
 
-/// The tracker at the physical limit of the sonar: each target is a density over its trajectories under the
-/// exact likelihood of the last minute of scans, with odds of existence; births are what the joint estimator
-/// finds beyond them; what is reported minimises the expected OSPA. docs/joint_tracker.md.
+/// Tracks each target as a density over its trajectories, under the exact likelihood of the last minute of
+/// scans, with odds of existence: multi-Bernoulli with one global hypothesis ([Williams2015]). Births are
+/// what the joint estimator finds beyond the tracks; what is confirmed minimises the expected OSPA.
+/// docs/joint_tracker.md.
 class JointTracker : public Tracker {
  public:
-  /// @param sonar its figures, where given, are used until the scans contradict them; else they are
-  /// estimated.
+  /// @param sonar its figures, where given, are used until the scans contradict them; others are estimated.
   /// @param seed of all draws; those of a scan derive from (seed, scan sequence) alone.
-  /// @param proposals where tracks begin in place of motion elements; null: those.
+  /// @param proposals replaces the motion elements as the place where tracks begin; null: they are used.
   /// @throws std::invalid_argument on a parameter out of range.
   JointTracker(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed,
                std::unique_ptr<BirthMethod> proposals = nullptr);

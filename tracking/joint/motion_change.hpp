@@ -10,48 +10,52 @@
 
 namespace lookout::tracking {
 
-/// Three motions a track: a straight line and a turn at a constant rate, which are remembered for as long as
-/// they fit, and a constant acceleration, which is forgotten sooner. A young track may be on the wrong line,
-/// or its target may have moved in another way from the first on: that is tried over its whole life. Later
-/// each motion is held against the others on the latest scans.
+/// Decides whether a track's motion is another one: constant velocity, constant turn or constant
+/// acceleration. Of a young track the motion over its whole life may be wrong, and each is tried over all its
+/// scans. Later each is tried over the latest scans, against the evidence that the present one had there. The
+/// tests are those of a multiple-model filter ([Blom1988]) with the likelihood of whole windows.
+/// docs/joint_tracker.md.
 class MotionChange {
  public:
+  /// @param params validated. @param trajectories in a cloud.
   MotionChange(const MotionChangeParams& params, int trajectories);
 
-  /// `change`: the motion is another one since some scan. `rewrite`: the whole life was another one.
+  /// keep: as it is. change: the motion is another one since some scan. rewrite: since the track's first.
   enum class Verdict { keep, change, rewrite };
+  /// What was decided of a track's motion.
   struct Judgement {
-    Verdict verdict = Verdict::keep;
-    double evidence = 0.0;       ///< In favour of the change [nats].
-    int oldest = 0;              ///< Age from which a changed motion holds.
-    double life_evidence = 0.0;  ///< For a whole life rewritten, its motion's share not counted [nats].
+    Verdict verdict = Verdict::keep;  ///< Whether it changes.
+    double evidence = 0.0;            ///< In favour of the change [nats].
+    int oldest = 0;                   ///< Age of the scan from which a changed motion holds.
+    double life_evidence = 0.0;       ///< Of a rewrite: for the whole life, without `log_share` [nats].
   };
 
-  /// ln of the share of targets that move so from their first scan on, of a line's.
+  /// ln of the number of targets that have this motion from their first scan on, over those at constant
+  /// velocity.
   double log_share(csht::Motion motion) const;
 
-  /// Where a trajectory was `seconds` (<= 0) from now: about where the track's mean was, give or
-  /// take what a manoeuvre may have led it off.
+  /// A prior for where a new trajectory was `seconds` (<= 0) from now: about where the track was, as wide as
+  /// a manoeuvre may have led off.
   csht::Anchor anchor(const csht::CloudMoments& moments, double seconds) const;
 
   /// A track after its update, as it is judged.
   struct Suspect {
-    int slot = 0;
-    const csht::TargetTrack& track;
-    csht::AgeSpan memory;  ///< The scans that it remembers.
+    int slot = 0;                    ///< Of the track.
+    const csht::TargetTrack& track;  ///< With the newest scan taken in.
+    csht::AgeSpan memory;            ///< The scans that its likelihood counts.
   };
 
-  /// Judges a track after its update; where the motion (or the line) changes, `cloud` holds its trajectories.
+  /// Judges a track after its update. Where the verdict is not keep, `cloud` holds the new trajectories.
   Judgement judge(const Suspect& suspect, csht::ScanLikelihood& likelihood, csht::TrajectorySampler& sampler,
                   core::Random& random, csht::TrajectoryCloud& cloud);
 
  private:
-  /// What a motion is tried with.
+  // What a motion is tried with.
   struct Bench {
     csht::ScanLikelihood& likelihood;
     csht::TrajectorySampler& sampler;
     core::Random& random;
-    csht::TrajectoryCloud& cloud;  ///< Of the verdict.
+    csht::TrajectoryCloud& cloud;  // Of the best motion.
   };
   Judgement doubt_life(const Suspect& suspect, const Bench& bench);
   Judgement doubt(const Suspect& suspect, const Bench& bench);
@@ -68,7 +72,7 @@ class MotionChange {
 
   MotionChangeParams params_;
   int samples_;
-  csht::TrajectoryCloud other_;  ///< Of a motion that is tried.
+  csht::TrajectoryCloud other_;  ///< Of the motion that is tried now.
 };
 
 }  // namespace lookout::tracking

@@ -8,7 +8,7 @@
 namespace lookout::tracking {
 namespace {
 
-/// The scan nearest in time.
+// The scan nearest in time.
 const csht::ScanTable& scan_at(std::int64_t utime, const csht::ScanHistory& scans) {
   int best = 0;
   for (int age = 1; age < scans.size(); ++age)

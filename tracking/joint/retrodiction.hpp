@@ -10,24 +10,27 @@
 
 namespace lookout::tracking {
 
-/// Delayed output: tracks at an earlier time as they are known by now. Remembers those that ended for as long
-/// as a delay can ask for them.
+/// Delayed output: the tracks at an earlier time, as they are known by now. Deleted tracks are remembered for
+/// as long as a delay can ask for them.
 class Retrodiction {
  public:
   Retrodiction() { retired_.reserve(kReserved); }
 
-  /// Notes a track that ends; only those that were once sure are worth remembering.
+  /// Notes a track that is deleted at `utime` [us]. Only those that were confirmed and had `settled_log_odds`
+  /// once [nats] are remembered.
   void retire(const csht::TargetTrack& track, std::int64_t utime, double settled_log_odds);
 
-  /// Forgets what no longer can be asked for.
+  /// Forgets deleted tracks that were last seen before `utime` [us].
   void forget_before(std::int64_t utime);
 
+  /// The tracks at `utime` [us], not after the newest scan; valid until the next call. Earth frame, SI.
   /// @param tracks slots, at the time of the newest scan.
+  /// @param min_existence of those that are not reported.
   std::span<const core::Track> at(std::int64_t utime, std::span<const csht::TargetTrack> tracks,
                                   const csht::ScanHistory& scans, double min_existence);
 
  private:
-  static constexpr std::size_t kReserved = 64;  ///< Tracks that end in a minute; more cost an allocation.
+  static constexpr std::size_t kReserved = 64;  ///< Tracks deleted in a minute; more need an allocation.
   struct Retired {
     std::int64_t id = 0;
     csht::CloudMoments moments;

@@ -14,7 +14,7 @@ ScanUpdate::ScanUpdate(const JointTrackerParams& params)
       settled_log_odds_(params.hypotheses.settled_log_odds),
       memory_{params.cloud.memory_s, params.manoeuvre.memory_s, params.manoeuvre.least_scans},
       manoeuvre_(params.manoeuvre, params.cloud.trajectories),
-      observer_(params.observer) {}
+      claims_(params.claims) {}
 
 void ScanUpdate::predict(double seconds, TrackerState& state) const {
   const double survival = std::exp(-seconds / life_.mean_life_s);
@@ -31,12 +31,13 @@ void ScanUpdate::update(TrackerState& state) {
     if (!track.used) continue;
     take_scan(track, state);
     judge_motion(track, state);
-    observer_.claim_memory(state.slot_of(track), track, csht::memory_of(track, state.scans(), memory_),
-                           state.likelihood);
+    claims_.claim_memory(state.slot_of(track), track, csht::memory_of(track, state.scans(), memory_),
+                         state.likelihood);
   }
 }
 
-// What each track would take of the scan on its own, so that the others know before they are updated.
+// Each track claims what it would take of the scan if it were alone, so that all know of each other before
+// the first is updated.
 void ScanUpdate::claim_provisionally(TrackerState& state) {
   for (csht::TargetTrack& track : state.tracks) {
     if (!track.used) continue;
@@ -48,7 +49,7 @@ void ScanUpdate::claim_provisionally(TrackerState& state) {
     if (track.existence() < csht::ScanLikelihood::kLeastExistence) continue;
     state.fresh = track.cloud;
     state.fresh.reweigh(track.log_ratio);
-    observer_.claim(self, state.fresh, state.likelihood);
+    claims_.claim(self, state.fresh, state.likelihood);
   }
 }
 
@@ -67,25 +68,26 @@ void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
   const bool tells = !track.out_of_view && !(shared && state.likelihood.contested(self, track.moments.mean));
   track.recent.add(evidence, tells ? csht::nats_per_scan(scans.figures(), scans.newest()) : evidence);
   const double enough = cloud_.refresh_share * static_cast<double>(track.cloud.size());
-  if (track.cloud.motion == csht::Motion::bend || track.cloud.effective_size() < enough)
+  if (track.cloud.motion == csht::Motion::constant_acceleration || track.cloud.effective_size() < enough)
     refresh(track, state);
   track.moments = track.cloud.moments();
 }
 
-// Draws the cloud afresh from the likelihood of the scans it remembers.
+// Draws the cloud anew under the likelihood of the scans that the track remembers: settled tracks by moving
+// their trajectories ([Gilks2001] Sec. 3), others by importance sampling ([Cappe2004] Sec. 2).
 void ScanUpdate::refresh(csht::TargetTrack& track, TrackerState& state) {
   csht::SamplingTask task;
   task.guess = track.cloud.moments();
-  // A cloud that one scan has cut down to a few trajectories says little of its own spread.
+  // A few trajectories say little of their spread: the less, the more of the spread before the scan is added.
   const double rest = std::min(1.0, csht::dimensions(track.cloud.motion) / track.cloud.effective_size());
   task.guess.covariance += rest * track.moments.covariance;
   task.ages = csht::memory_of(track, state.scans(), memory_);
   task.self = state.slot_of(track);
   task.samples = cloud_.trajectories;
   task.rounds = cloud_.refresh_rounds;
-  if (track.cloud.motion != csht::Motion::line && !task.ages.births)
+  if (track.cloud.motion != csht::Motion::constant_velocity && !task.ages.births)
     task.anchor = manoeuvre_.anchor(task.guess, state.scans().seconds_at_age(task.ages.oldest));
-  if (track.log_odds >= settled_log_odds_ && track.cloud.motion != csht::Motion::bend) {
+  if (track.log_odds >= settled_log_odds_ && track.cloud.motion != csht::Motion::constant_acceleration) {
     state.sampler.move(task, state.likelihood, state.random, track.cloud);
     track.claims_are_fresh = false;
     return;
@@ -98,8 +100,8 @@ void ScanUpdate::refresh(csht::TargetTrack& track, TrackerState& state) {
   if (tells_odds(track, task.ages, result, state)) estimate_odds(result.log_evidence, track);
 }
 
-// Odds that were picked as the best of many are too high; drawn again from the whole life they are not.
-// docs/joint_tracker.md.
+// Whether a sampling also estimates the odds. A track began because its odds were the best of many, so they
+// are too high on average; those of a new sampling over its whole life are not. docs/joint_tracker.md.
 bool ScanUpdate::tells_odds(const csht::TargetTrack& track, const csht::AgeSpan& ages,
                             const csht::SamplingResult& result, const TrackerState& state) const {
   const bool whole_life = ages.births && ages.oldest == state.scans().pushed() - 1 - track.first_scan;
@@ -116,8 +118,8 @@ void ScanUpdate::judge_motion(csht::TargetTrack& track, TrackerState& state) {
   std::swap(track.cloud, state.fresh);
   track.moments = track.cloud.moments();
   track.claims_are_fresh = false;
-  // A turn is judged by its own predictions, once there are enough; the others stay under suspicion.
-  if (track.cloud.motion == csht::Motion::turn) track.recent.clear();
+  // A constant turn starts with a clean record, and is judged once it has predicted enough scans by itself.
+  if (track.cloud.motion == csht::Motion::constant_turn) track.recent.clear();
   if (judgement.verdict == MotionChange::Verdict::rewrite)
     estimate_odds(judgement.life_evidence, track);
   else
@@ -125,7 +127,8 @@ void ScanUpdate::judge_motion(csht::TargetTrack& track, TrackerState& state) {
   if (track.cloud.motion != before) tell_change(judgement, track, state);
 }
 
-// The odds of a track by the evidence for its whole life; those of a settled one are left.
+// Sets the odds of a track by the evidence for its whole life: prior density times evidence, as at its birth.
+// A settled track keeps its odds.
 void ScanUpdate::estimate_odds(double life_evidence, csht::TargetTrack& track) const {
   const double odds = life_evidence + track.log_density + manoeuvre_.log_share(track.cloud.motion);
   if (track.log_odds < settled_log_odds_) track.log_odds = std::min(odds, settled_log_odds_);
@@ -135,8 +138,8 @@ void ScanUpdate::change_model(const MotionChange::Judgement& judgement, csht::Ta
                               const TrackerState& state) const {
   track.first_scan = state.scans().pushed() - 1 - judgement.oldest;
   track.remembers_birth = false;
-  // What the line lost by not bending was no evidence against the target.
-  if (track.cloud.motion != csht::Motion::line)
+  // What the odds lost while the old motion fitted poorly was no evidence against the target.
+  if (track.cloud.motion != csht::Motion::constant_velocity)
     track.log_odds =
         std::max(track.log_odds, std::min(track.log_odds + judgement.evidence, settled_log_odds_));
 }
@@ -144,11 +147,12 @@ void ScanUpdate::change_model(const MotionChange::Judgement& judgement, csht::Ta
 void ScanUpdate::tell_change(const MotionChange::Judgement& judgement, const csht::TargetTrack& track,
                              const TrackerState& state) const {
   const csht::Motion motion = track.cloud.motion;
-  state.decide(track, motion == csht::Motion::line ? DecisionKind::straighten : DecisionKind::manoeuvre,
+  state.decide(track,
+               motion == csht::Motion::constant_velocity ? DecisionKind::straighten : DecisionKind::manoeuvre,
                judgement.evidence,
-               motion == csht::Motion::line   ? "a straight line explains the scans as well"
-               : motion == csht::Motion::turn ? "a turn explains the scans better"
-                                              : "a curve explains the scans better");
+               motion == csht::Motion::constant_velocity ? "a straight line explains the scans as well"
+               : motion == csht::Motion::constant_turn   ? "a turn explains the scans better"
+                                                         : "a curve explains the scans better");
 }
 
 }  // namespace lookout::tracking

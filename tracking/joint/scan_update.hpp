@@ -8,16 +8,18 @@
 
 namespace lookout::tracking {
 
-/// Takes a scan into the tracks that are there: weights and odds, fresh clouds, motion models, claims.
+/// Takes a scan into the tracks that are there: weights and odds, fresh clouds where few trajectories are
+/// left, changes of motion, claims.
 class ScanUpdate {
  public:
   /// @param params validated.
   explicit ScanUpdate(const JointTrackerParams& params);
 
-  /// Moves all tracks on to the newest scan, `seconds` after the one before.
+  /// Moves all tracks on to the newest scan, `seconds` after the one before; each may have vanished meanwhile
+  /// ([Ristic2013], the prediction of a Bernoulli filter).
   void predict(double seconds, TrackerState& state) const;
 
-  /// Updates all tracks with the newest scan.
+  /// Updates all tracks with the newest scan, each given what the others claim of it.
   void update(TrackerState& state);
 
  private:
@@ -38,7 +40,7 @@ class ScanUpdate {
   double settled_log_odds_;
   csht::MemorySpan memory_;
   MotionChange manoeuvre_;
-  csht::BeamClaims observer_;
+  csht::BeamClaims claims_;
 };
 
 }  // namespace lookout::tracking

@@ -7,8 +7,8 @@
 
 namespace lookout::tracking {
 
-/// What the steps of the joint tracker hand from one to the next: the engine's scene, what ended, and who is
-/// told of decisions.
+/// What the steps of the joint tracker work on: the engine's scene, the deleted tracks, and who is told of
+/// decisions.
 class TrackerState : public csht::JointScene {
  public:
   /// @param params validated. @param seed of all draws; those of a scan derive from (seed, sequence) alone.
@@ -16,12 +16,15 @@ class TrackerState : public csht::JointScene {
       : JointScene(params, sonar, {seed, core::RandomStream::tracker}),
         settled_log_odds_(params.hypotheses.settled_log_odds) {}
 
-  Retrodiction retrodiction;
-  DecisionLog log;
+  Retrodiction retrodiction;  ///< Knows the tracks that were deleted.
+  DecisionLog log;            ///< Is told of decisions; may be empty.
 
-  /// Ends a track: frees its slot and takes back what it claimed.
+  /// Deletes a track: frees its slot and takes back its claims. Where it was confirmed, tells why.
+  /// @param reason a static text.
   void end(csht::TargetTrack& track, DecisionKind kind, const char* reason);
 
+  /// Tells `log` of a decision at the newest scan. @param evidence see TrackDecision.
+  /// @param reason a static text.
   void decide(const csht::TargetTrack& track, DecisionKind kind, double evidence, const char* reason) const;
 
  private:

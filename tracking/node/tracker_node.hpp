@@ -27,8 +27,9 @@ class ChainNode {
   /// Works until a limit is reached; then rejects what still waits and publishes a last status.
   void run(const lcmtypes::LoopLimits& limits);
 
-  const LocalEstimateSender& link() const { return node_.link(); }
-  lcmtypes::NodeFigures figures() const;
+  const LocalEstimateSender& link() const { return node_.link(); }  ///< Of LOCAL_ESTIMATE, for its counts.
+  lcmtypes::NodeFigures figures() const;                            ///< As LOOKOUT_STATUS gives them.
+  /// Pings and vehicle states, accepted and rejected.
   const IntakeCounts& counts() const { return chain_->counts(); }
   double latency(double share) const { return node_.latency(share); }  ///< Percentile [ms].
 

@@ -36,7 +36,7 @@ void validate(const TrajectoryCloudParams& p) {
 
 void validate(const BeamClaimParams& p) {
   core::require(p.least_share > 0.0 && p.least_share < 1.0, "least_share must be in (0, 1)", p.least_share);
-  core::require(p.echo_sigmas > 0.0, "echo_sigmas must be > 0", p.echo_sigmas);
+  core::require(p.detection_sigmas > 0.0, "detection_sigmas must be > 0", p.detection_sigmas);
   core::require(p.past_stride >= 1, "past_stride must be >= 1", p.past_stride);
 }
 
@@ -85,7 +85,7 @@ void validate(const JointEngineParams& params) {
   validate(params.sensor);
   validate(params.prior);
   validate(params.cloud);
-  validate(params.observer);
+  validate(params.claims);
   validate(params.birth);
   validate(params.hypotheses);
   validate(params.learning);

@@ -71,8 +71,8 @@ double TargetPrior::log_birth(double seconds_since_first) const {
   return seconds_since_first < params_.settling_s ? log_settling_ : log_settled_;
 }
 
-// The flux of uniformly moving points over a closed border: density x mean speed x length / pi; the mean
-// speed of normal components is sigma sqrt(pi / 2).
+// The flux of points, spread evenly and moving in all directions alike, over a border: density x mean speed x
+// length / pi. A speed whose two components are normal is Rayleigh distributed, with mean sigma sqrt(pi / 2).
 double TargetPrior::entering(const ScanTable& scan, double seconds) const {
   const double border = scan.max_range * (sector_of(scan) + (scan.whole_circle ? 0.0 : 2.0));
   const double mean_speed = velocity_sigma_ * std::sqrt(0.5 * std::numbers::pi);

@@ -8,11 +8,12 @@ namespace lookout::csht {
 struct TargetPriorParams {
   double expected_targets = 2.0;  ///< In the field of view at any time, > 0.
   double interior_rate = 0.002;   ///< Targets that appear inside the field of view [1/s], >= 0.
-  /// A sonar that starts may not show at once all that is there: during the first seconds [s], >= 0, so many
-  /// more come into sight [1/s], >= 0. docs/joint_estimator.md.
-  double settling_s = 2.0, settling_rate = 2.0;
-  double speed_sigmas = 3.0;  ///< The speed limit in standard deviations of a velocity component, > 0.
-  double speed_edge = 0.2;    ///< Beyond the limit densities fall off with this sigma [m/s], > 0.
+  /// A sonar that starts may not show at once all that is there. For so long after the first scan [s], >= 0,
+  double settling_s = 2.0;
+  double settling_rate = 2.0;  ///< so many more targets appear [1/s], >= 0. docs/joint_estimator.md.
+  double speed_sigmas = 3.0;   ///< The fastest target's speed over the sigma of a velocity component, > 0.
+  /// Beyond the speed limit the density falls off as a normal one of this sigma [m/s], > 0.
+  double speed_edge = 0.2;
   /// Velocities evenly spread over the disc of possible ones in place of normal components.
   bool uniform_speeds = false;
   /// All targets are in view from the oldest scan on: a single window's experiment, [Yan2018] Table 2.
@@ -22,37 +23,40 @@ struct TargetPriorParams {
 /// @throws std::invalid_argument showing the value that is out of range.
 void validate(const TargetPriorParams& params);
 
-/// The prior of the joint tracker: targets evenly spread over the field of view and beyond, their velocities
-/// normal, as many entering over the border as that brings, a few appearing inside.
+/// What is believed of targets before anything is seen of them: they are spread evenly, in the field of view
+/// and around it, and have normal velocities; from that follows how many enter over its border. A few appear
+/// inside. It is the birth density of a Poisson multi-Bernoulli filter, [Williams2015].
 class TargetPrior {
  public:
   /// @param params validated. @param max_speed of a target [m/s], > 0. @param scan_period [s], > 0.
   explicit TargetPrior(const TargetPriorParams& params = {}, double max_speed = 3.0,
                        double scan_period = 0.5);
 
-  double max_speed() const { return max_speed_; }
+  double max_speed() const { return max_speed_; }            ///< Of a target [m/s].
   double velocity_sigma() const { return velocity_sigma_; }  ///< Of each component [m/s].
 
-  /// ln of how much less probable a velocity is than standing still. @param speed [m/s].
+  /// ln of the density of a velocity over that of standing still, <= 0. @param speed its magnitude [m/s].
   double log_speed(double speed) const;
-  /// ln of what is left of any density of speeds at this one: 0 up to the limit, falling off beyond it.
+  /// ln of the factor on the density of a speed [m/s] for the speed limit: 0 up to it, falling beyond it.
   double log_edge(double speed) const;
 
-  /// ln of the density of targets that stand in view of `scan`, over position and velocity, at velocity 0
+  /// ln of the density of targets in view of `scan`, over position and velocity, at velocity 0
   /// [1 / (m^2 (m/s)^2)].
   double log_standing(const ScanTable& scan) const;
 
-  /// Targets that come into sight inside at a scan so long after the first.
+  /// Mean number of targets that appear inside the field of view at a scan so long after the first [s].
   double appearing(double seconds_since_first) const;
-  /// ln of the same, relative to those that stand there.
+  /// ln of the same over the number of those that are in view already.
   double log_birth(double seconds_since_first) const;
 
-  /// Targets that enter over the border within `seconds`.
+  /// Mean number of targets that enter over the border of the field of view within `seconds`.
   double entering(const ScanTable& scan, double seconds) const;
 
+  /// Mean number of targets in the field of view.
   double expected_targets() const { return params_.expected_targets; }
   /// Replaces the expected number of targets, > 0, as it is learnt.
   void set_expected_targets(double expected);
+  /// See TargetPriorParams.
   bool in_view_from_start() const { return params_.in_view_from_start; }
 
  private:

@@ -15,7 +15,8 @@ struct Arrays {
 };
 
 LOOKOUT_VECTOR_CLONES
-void place_bends(const Arrays& from, std::size_t size, double seconds, double* north, double* east) {
+void place_constant_acceleration(const Arrays& from, std::size_t size, double seconds, double* north,
+                                 double* east) {
   const double half_square = 0.5 * seconds * seconds;
   for (std::size_t i = 0; i < size; ++i) {
     north[i] = from.north[i] + seconds * from.north_velocity[i] + half_square * from.fifth[i];
@@ -23,11 +24,12 @@ void place_bends(const Arrays& from, std::size_t size, double seconds, double* n
   }
 }
 
-// The chord of an arc: 2 sin(h) / rate long at constant speed 1, turned by h, half the angle that is run
-// through.
+// Constant turn by the chord of its arc: at speed 1 it is 2 sin(h) / rate long and points h to the side of
+// the velocity, h being half of the angle that is turned. [BarShalom2001] Sec. 11.7.
 LOOKOUT_VECTOR_CLONES
-void place_turns(const Arrays& from, std::size_t size, double seconds, double* north, double* east) {
-  constexpr double kLeastRate = 1e-7;  // A line to within a millimetre: keeps the quotient finite.
+void place_constant_turn(const Arrays& from, std::size_t size, double seconds, double* north, double* east) {
+  // Slower turns are straight to within a millimetre; it keeps the quotient finite.
+  constexpr double kLeastRate = 1e-7;
   for (std::size_t i = 0; i < size; ++i) {
     const double rate = from.fifth[i];
     const double divisor = rate < kLeastRate && rate > -kLeastRate ? kLeastRate : rate;
@@ -65,17 +67,18 @@ void TrajectoryCloud::reserve(std::size_t size) {
 Trajectory TrajectoryCloud::trajectory(std::size_t i) const {
   Trajectory result;
   result << north[i], east[i], north_velocity[i], east_velocity[i], 0.0, 0.0;
-  if (motion == Motion::turn) result[4] = turn_rate[i];
-  if (motion == Motion::bend) result.tail<2>() << north_acceleration[i], east_acceleration[i];
+  if (motion == Motion::constant_turn) result[4] = turn_rate[i];
+  if (motion == Motion::constant_acceleration)
+    result.tail<2>() << north_acceleration[i], east_acceleration[i];
   return result;
 }
 
 std::array<double*, 6> TrajectoryCloud::components() {
   std::array<double*, 6> result{north.data(), east.data(), north_velocity.data(), east_velocity.data()};
-  if (motion == Motion::bend) {
+  if (motion == Motion::constant_acceleration) {
     result[4] = north_acceleration.data();
     result[5] = east_acceleration.data();
-  } else if (motion == Motion::turn) {
+  } else if (motion == Motion::constant_turn) {
     result[4] = turn_rate.data();
   }
   return result;
@@ -99,18 +102,18 @@ void TrajectoryCloud::predict(double seconds) {
 }
 
 void TrajectoryCloud::place(double seconds, TrajectoryCloud& at) const {
-  assert(motion != Motion::line);  // Lines are placed by those who score them.
+  assert(motion != Motion::constant_velocity);  // The likelihood moves those by itself.
   at.resize(size());
   const Arrays from{north.data(),
                     east.data(),
                     north_velocity.data(),
                     east_velocity.data(),
-                    motion == Motion::turn ? turn_rate.data() : north_acceleration.data(),
+                    motion == Motion::constant_turn ? turn_rate.data() : north_acceleration.data(),
                     east_acceleration.data()};
-  if (motion == Motion::turn)
-    place_turns(from, size(), seconds, at.north.data(), at.east.data());
+  if (motion == Motion::constant_turn)
+    place_constant_turn(from, size(), seconds, at.north.data(), at.east.data());
   else
-    place_bends(from, size(), seconds, at.north.data(), at.east.data());
+    place_constant_acceleration(from, size(), seconds, at.north.data(), at.east.data());
 }
 
 double TrajectoryCloud::reweigh(std::span<const double> log_ratio) {

@@ -9,7 +9,8 @@ namespace lookout::csht {
 namespace {
 
 Eigen::Vector2d moved(const TrajectoryCloud& cloud, std::size_t i, double seconds) {
-  if (cloud.motion != Motion::line) return position_at(cloud.motion, cloud.trajectory(i), seconds);
+  if (cloud.motion != Motion::constant_velocity)
+    return position_at(cloud.motion, cloud.trajectory(i), seconds);
   return {cloud.north[i] + seconds * cloud.north_velocity[i],
           cloud.east[i] + seconds * cloud.east_velocity[i]};
 }
@@ -25,7 +26,7 @@ double total_weight(const TrajectoryCloud& cloud, std::size_t stride) {
 void BeamClaims::observe(int slot, TargetTrack& track, bool claim, ScanLikelihood& likelihood) {
   const View view = look(slot, track.cloud, 0, claim, 1, likelihood);
   track.visible_share = view.visible;
-  track.echo_share = view.echo;
+  track.detected_share = view.detected;
 }
 
 void BeamClaims::claim_memory(int slot, TargetTrack& track, const AgeSpan& memory,
@@ -40,11 +41,11 @@ void BeamClaims::claim_memory(int slot, TargetTrack& track, const AgeSpan& memor
 }
 
 void BeamClaims::claim_past(int slot, TargetTrack& track, int oldest, ScanLikelihood& likelihood) {
-  track.own_detections = track.echo_share;
+  track.own_detections = track.detected_share;
   for (int age = 1; age <= oldest; ++age) {
     if (track.has_claims) likelihood.forget_claims(slot, age);
     const auto stride = static_cast<std::size_t>(params_.past_stride);
-    track.own_detections += look(slot, track.cloud, age, true, stride, likelihood).echo;
+    track.own_detections += look(slot, track.cloud, age, true, stride, likelihood).detected;
   }
   track.has_claims = true;
 }
@@ -71,13 +72,14 @@ BeamClaims::View BeamClaims::look(int slot, const TrajectoryCloud& cloud, int ag
     share_[k] = 0.0;
     range_[k] = 0.0;
   }
-  return {view.visible / total, view.echo / total};
+  return {view.visible / total, view.detected / total};
 }
 
-// With an uncertain pose: in which beams the sonar had the target is judged by what they returned.
+// Where the pose is uncertain, a target may have been in any of several beams: each has the probability that
+// `beam_shares` gives it after what the beams returned.
 BeamClaims::View BeamClaims::look_blurred(const TrajectoryCloud& cloud, const ScanTable& scan, double seconds,
                                           std::size_t stride) {
-  const double gate = params_.echo_sigmas / static_cast<double>(scan.inverse_sigma);
+  const double gate = params_.detection_sigmas / static_cast<double>(scan.inverse_sigma);
   View view;
   for (std::size_t i = 0; i < cloud.size(); i += stride) {
     const Eigen::Vector2d at = moved(cloud, i, seconds);
@@ -93,7 +95,7 @@ BeamClaims::View BeamClaims::look_blurred(const TrajectoryCloud& cloud, const Sc
       share_[b] += weight;
       range_[b] += weight * range;
       view.visible += weight;
-      if (std::abs(static_cast<double>(scan.range[b + 1]) - range) < gate) view.echo += weight;
+      if (std::abs(static_cast<double>(scan.range[b + 1]) - range) < gate) view.detected += weight;
     }
   }
   return view;
@@ -101,7 +103,7 @@ BeamClaims::View BeamClaims::look_blurred(const TrajectoryCloud& cloud, const Sc
 
 BeamClaims::View BeamClaims::look_beams(const TrajectoryCloud& cloud, const ScanTable& scan, double seconds,
                                         std::size_t stride) {
-  const double gate = params_.echo_sigmas / static_cast<double>(scan.inverse_sigma);
+  const double gate = params_.detection_sigmas / static_cast<double>(scan.inverse_sigma);
   View view;
   for (std::size_t i = 0; i < cloud.size(); i += stride) {
     const Eigen::Vector2d at = moved(cloud, i, seconds);
@@ -113,7 +115,7 @@ BeamClaims::View BeamClaims::look_beams(const TrajectoryCloud& cloud, const Scan
     share_[b] += cloud.weight[i];
     range_[b] += cloud.weight[i] * range;
     view.visible += cloud.weight[i];
-    if (std::abs(static_cast<double>(scan.range[b + 1]) - range) < gate) view.echo += cloud.weight[i];
+    if (std::abs(static_cast<double>(scan.range[b + 1]) - range) < gate) view.detected += cloud.weight[i];
   }
   return view;
 }
@@ -142,7 +144,7 @@ BeamClaims::View BeamClaims::look_points(const TrajectoryCloud& cloud, const Sca
       const double share = cloud.weight[i] * ratio_[j] / sum;
       share_[j] += share;
       range_[j] += share * scan.detections[j].range;
-      view.echo += share;
+      view.detected += share;
     }
   }
   return view;

@@ -15,13 +15,14 @@ int oldest_within(double seconds, int least_scans, const ScanHistory& scans) {
 }
 
 AgeSpan memory_of(const TargetTrack& track, const ScanHistory& scans, const MemorySpan& memory) {
-  const bool bend = track.cloud.motion == Motion::bend;
+  const bool accelerates = track.cloud.motion == Motion::constant_acceleration;
   const int most =
-      bend ? oldest_within(memory.bend_s, memory.bend_scans, scans) : oldest_within(memory.line_s, scans);
+      accelerates ? oldest_within(memory.constant_acceleration_s, memory.constant_acceleration_scans, scans)
+                  : oldest_within(memory.constant_velocity_s, scans);
   const std::int64_t since_first = scans.pushed() - 1 - track.first_scan;
   AgeSpan ages;
   ages.oldest = static_cast<int>(std::min<std::int64_t>(since_first, most));
-  ages.births = track.remembers_birth && (!bend || since_first <= most);
+  ages.births = track.remembers_birth && (!accelerates || since_first <= most);
   return ages;
 }
 

@@ -7,8 +7,8 @@
 namespace lookout::csht {
 namespace {
 
-// Entropy of the beam that a target was in, of one half way out [nats]: that of a normal distribution, which
-// a beam's own width keeps from going below 0.
+// How unsure the pose leaves the beam of a target at half the maximum range: the entropy of its beam number
+// [nats], taken for that of a normal distribution, with a 1 added that makes it 0 where the pose is exact.
 double entropy_of_beam(const ScanTable& scan) {
   if (scan.blur_reach == 0) return 0.0;
   const double heading = static_cast<double>(scan.blur_heading);
@@ -21,12 +21,12 @@ double entropy_of_beam(const ScanTable& scan) {
 
 ScanEvidence evidence_of(const SensorFigures& figures, const ScanTable& scan) {
   const double miss = figures.miss_probability;
-  const double echo = std::log(static_cast<double>(scan.gain));
-  if (scan.clutter == ClutterModel::point) return {1.0 - miss, echo - 1.0, std::log(miss)};
-  // Where the pose is uncertain, an echo is the target's with the probability that it was in that beam.
+  const double detection = std::log(static_cast<double>(scan.gain));
+  if (scan.clutter == ClutterModel::point) return {1.0 - miss, detection - 1.0, std::log(miss)};
+  // Where the pose is uncertain, a detection is the target's with the probability that it was in that beam.
   const double unsure = entropy_of_beam(scan), right = std::exp(-unsure);
   const double silence = miss * (1.0 - right + right / (1.0 - figures.false_alarm_probability));
-  return {1.0 - miss, echo - 0.5 - unsure, std::log(silence)};
+  return {1.0 - miss, detection - 0.5 - unsure, std::log(silence)};
 }
 
 double nats_per_scan(const SensorFigures& figures, const ScanTable& scan) {
@@ -34,10 +34,11 @@ double nats_per_scan(const SensorFigures& figures, const ScanTable& scan) {
 }
 
 double log_overshoot(const ScanEvidence& evidence) {
-  const double echo = std::max(0.0, evidence.echo), silence = std::max(0.0, evidence.silence);
-  const double step = evidence.detect * echo + (1.0 - evidence.detect) * silence;
+  const double detection = std::max(0.0, evidence.detection), silence = std::max(0.0, evidence.silence);
+  const double step = evidence.detect * detection + (1.0 - evidence.detect) * silence;
   if (step <= 0.0) return 0.0;
-  const double kept = -evidence.detect * std::expm1(-echo) - (1.0 - evidence.detect) * std::expm1(-silence);
+  const double kept =
+      -evidence.detect * std::expm1(-detection) - (1.0 - evidence.detect) * std::expm1(-silence);
   return std::log(kept / step);
 }
 

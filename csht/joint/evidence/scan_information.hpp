@@ -5,24 +5,26 @@
 
 namespace lookout::csht {
 
-/// What one scan brings for a target in view [nats]: `echo` with probability `detect`, else `silence`.
+/// What one scan brings for a target in view: ln of the likelihood ratio, target there against none.
 struct ScanEvidence {
-  double detect = 0.0;
-  double echo = 0.0;
-  double silence = 0.0;
+  double detect = 0.0;     ///< Probability that the target is detected, 1 - P_M.
+  double detection = 0.0;  ///< Mean evidence of a detection [nats].
+  double silence = 0.0;    ///< Evidence of a silent beam [nats].
 
-  double mean() const { return detect * echo + (1.0 - detect) * silence; }
+  /// Mean evidence of a scan [nats]: its information on a target, [Wald1945].
+  double mean() const { return detect * detection + (1.0 - detect) * silence; }
 };
 
-/// Of a sonar with these figures. docs/joint_estimator.md.
+/// That of a sonar with these figures, for a scan laid out as `scan`. docs/joint_estimator.md.
 ScanEvidence evidence_of(const SensorFigures& figures, const ScanTable& scan);
 
-/// Mean information of one scan on a target in view [nats].
+/// Mean evidence of one scan for a target in view [nats]; see `ScanEvidence::mean`.
 double nats_per_scan(const SensorFigures& figures, const ScanTable& scan);
 
-/// ln of the mean of e^-overshoot, by which log odds that grow by such scans leap beyond a threshold [nats],
-/// <= 0: odds of `threshold - log_overshoot` stand there on average when it is crossed. The overshoot of
-/// sums of positive steps X has the density P(X > r) / E[X]. [Siegmund1985] Ch. 8.
+/// Log odds grow in steps and so leap beyond a threshold; what they stand above it is the overshoot. Returns
+/// ln of the mean of e^-overshoot [nats], <= 0: the mean odds against a target, when a threshold t is
+/// crossed, are e^-(t - log_overshoot). The overshoot of a sum of positive steps X has the density P(X > r) /
+/// E[X]. [Siegmund1985] Ch. 8.
 double log_overshoot(const ScanEvidence& evidence);
 
 }  // namespace lookout::csht

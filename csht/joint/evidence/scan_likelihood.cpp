@@ -10,10 +10,10 @@
 namespace lookout::csht {
 namespace {
 
-constexpr double kCompatibleSigmas = 2.5;     // An echo this near to a track's range is explained by it.
-constexpr double kLeastUnseen = 1e-9;         // None, for a logarithm.
-constexpr double kImpossible = -1e6;          // Log-likelihood ratio of what the prior rules out [nats].
-constexpr std::size_t kClaimsReserved = 512;  // Of one scan; more are taken, at the price of an allocation.
+constexpr double kCompatibleSigmas = 2.5;     // A detection this near to a track's range is explained by it.
+constexpr double kLeastUndetected = 1e-9;     // Stands for none, so that its logarithm is finite.
+constexpr double kImpossible = -1e6;          // ln of the density of what the prior rules out [nats].
+constexpr std::size_t kClaimsReserved = 512;  // Of a scan; more are possible, but allocate.
 
 }  // namespace
 
@@ -33,16 +33,16 @@ ScanLikelihood::ScanLikelihood(const SensorFigures& figures, const SensorModelPa
     : tolerance_(tolerance),
       scans_(figures, model, capacity),
       prior_(prior),
-      log_unseen_(static_cast<std::size_t>(capacity)),
+      log_undetected_(static_cast<std::size_t>(capacity)),
       claims_(static_cast<std::size_t>(capacity)) {
   for (auto& claims : claims_) claims.reserve(kClaimsReserved);
   existence_.assign(static_cast<std::size_t>(max_owners), 0.0);
 }
 
-void ScanLikelihood::push(const core::PosedScan& scan, double unseen) {
+void ScanLikelihood::push(const core::PosedScan& scan, double undetected) {
   scans_.push(scan);
   if (scans_.pushed() == 1) first_utime_ = scans_.newest().utime;
-  log_unseen_[ring_index(0)] = std::log(std::max(unseen, kLeastUnseen));
+  log_undetected_[ring_index(0)] = std::log(std::max(undetected, kLeastUndetected));
   claims_at(0).clear();
 }
 
@@ -102,15 +102,16 @@ bool ScanLikelihood::contested(int self, const Trajectory& mean) {
   return std::any_of(claims_at(0).begin(), claims_at(0).end(), [&](const Claim& claim) {
     if (claim.owner == self || existence_[static_cast<std::size_t>(claim.owner)] < kLeastExistence)
       return false;
-    const core::Detection& echo = scan.detections[static_cast<std::size_t>(claim.index)];
-    const double dr = (echo.range - range) * static_cast<double>(scan.inverse_sigma);
+    const core::Detection& detection = scan.detections[static_cast<std::size_t>(claim.index)];
+    const double dr = (detection.range - range) * static_cast<double>(scan.inverse_sigma);
     const double db =
-        core::wrap_to_pi(echo.azimuth - azimuth) * static_cast<double>(scan.inverse_bearing_sigma);
+        core::wrap_to_pi(detection.azimuth - azimuth) * static_cast<double>(scan.inverse_bearing_sigma);
     return dr * dr + db * db <= kCompatibleSigmas * kCompatibleSigmas;
   });
 }
 
-// An echo that does not fit the owner of its beam is no proof of another target: the owner may be next door.
+// A return that does not fit the owner of its beam would speak strongly for a nearer target there. It is not
+// let do so: the owner's own beam may well be the next one.
 void ScanLikelihood::claim_beam(const ScanTable& scan, const Claim& claim, double share) {
   csht::claim_beam(scan, claim.index, static_cast<double>(claim.range), share, mask_);
   float& nearer = mask_.nearer[static_cast<std::size_t>(claim.index) + 1];
@@ -139,11 +140,11 @@ void ScanLikelihood::begin(const HypothesisSpan& hypotheses, double seconds, int
   locate(scan, hypotheses, seconds, range_, bearing_);
   const auto half_sector = static_cast<float>(0.5 * scan.num_beams * scan.bearing_step);
   const auto max_range = static_cast<float>(scan.max_range);
-  const double log_unseen = log_unseen_[ring_index(oldest)];
+  const double log_undetected = log_undetected_[ring_index(oldest)];
   const double log_outside = prior_.in_view_from_start() ? kImpossible : 0.0;
   for (std::size_t i = 0; i < hypotheses.size(); ++i) {
     const bool in_view = range_[i] <= max_range && std::abs(bearing_[i]) <= half_sector;
-    log_ratio[i] = in_view ? log_unseen : log_outside;
+    log_ratio[i] = in_view ? log_undetected : log_outside;
   }
 }
 
@@ -163,7 +164,7 @@ void ScanLikelihood::add(const TrajectoryCloud& cloud, const Trajectory& mean, c
 
 void ScanLikelihood::begin_cloud(const TrajectoryCloud& cloud, int oldest, std::span<double> log_ratio) {
   const double seconds = scans_.seconds_at_age(oldest);
-  if (cloud.motion == Motion::line) {
+  if (cloud.motion == Motion::constant_velocity) {
     begin(cloud.span(), seconds, oldest, log_ratio);
     return;
   }
@@ -174,7 +175,7 @@ void ScanLikelihood::begin_cloud(const TrajectoryCloud& cloud, int oldest, std::
 void ScanLikelihood::add_scan(const TrajectoryCloud& cloud, int age, const BeamMask* mask,
                               std::span<double> log_ratio) {
   const double seconds = scans_.seconds_at_age(age);
-  if (cloud.motion == Motion::line) {
+  if (cloud.motion == Motion::constant_velocity) {
     add_log_ratio(scans_.at_age(age), mask, cloud.span(), seconds, tolerance_, log_ratio);
     return;
   }

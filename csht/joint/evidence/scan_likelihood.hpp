@@ -11,64 +11,67 @@
 
 namespace lookout::csht {
 
-/// What one track takes of one scan: a beam that it is in (with its range there), or a detection of a point
-/// sensor.
+/// What one track takes of one scan: a beam that it is in, with its range there, or, of a sensor without
+/// beams, a detection.
 struct Claim {
   int owner = 0;       ///< Slot of the track.
   int index = 0;       ///< Beam, or index of the detection.
   float range = 0.0F;  ///< Of the track in that beam [m].
-  float share = 0.0F;  ///< Probability, were the track real.
+  float share = 0.0F;  ///< Probability that it is in the beam (made the detection), if it exists.
 };
 
 /// Ages of scans, both included; 0 is the newest.
 struct AgeSpan {
-  int newest = 0;
-  int oldest = 0;
-  /// A trajectory may begin at any scan of the span; else it is there from the oldest on.
+  int newest = 0;  ///< Smallest age.
+  int oldest = 0;  ///< Largest age.
+  /// Whether a target may appear at any scan of the span; else it is there from the oldest on.
   bool births = false;
 };
 
-/// The likelihood of trajectories over the latest scans, with what other tracks explain left out: in a beam
-/// shared with a nearer target, the farther one learns nothing. docs/joint_estimator.md.
+/// The likelihood of trajectories over the latest scans, given what other tracks claim of them: a beam that
+/// a nearer target owns says nothing of a farther one. docs/joint_estimator.md.
 class ScanLikelihood {
  public:
   static constexpr int kNobody = -1;     ///< As `self`: the claims of all tracks count.
   static constexpr int kEverybody = -2;  ///< As `self`: no claims count.
 
-  /// @param capacity scans kept, >= 1.
-  /// @param max_owners slots that may claim.
+  /// @param figures validated, like `model` and `tolerance`.
+  /// @param capacity scans kept, >= 1. @param max_owners slots that may claim.
   ScanLikelihood(const SensorFigures& figures, const SensorModelParams& model, const Tolerance& tolerance,
                  int capacity, int max_owners, const TargetPrior& prior = TargetPrior());
 
-  /// @param unseen targets that may stand anywhere in view before this scan, with no track, relative to those
-  /// of the prior.
-  void push(const core::PosedScan& scan, double unseen = 1.0);
-  const ScanHistory& scans() const { return scans_; }
-  /// ln of the targets that appear at the scan of this age, relative to those that stand there.
+  /// Takes the next scan, later than all before it. @param undetected density of targets without a track that
+  /// may be anywhere in view before this scan, over that of the prior, in [0, 1].
+  void push(const core::PosedScan& scan, double undetected = 1.0);
+  const ScanHistory& scans() const { return scans_; }  ///< Those that are kept, with their figures.
+  /// ln of the number of targets that appear at the scan of this age, over that of those in view already.
   double log_birth(int age) const {
     return prior_.log_birth(core::seconds(scans_.at_age(age).utime - first_utime_));
   }
-  void set_prior(const TargetPrior& prior) { prior_ = prior; }
+  void set_prior(const TargetPrior& prior) { prior_ = prior; }  ///< Holds from the next call on.
+  /// Rewrites P_F, P_M and sigma in every scan that is kept.
   void set_figures(const SensorFigures& figures) { scans_.set_figures(figures); }
+  /// Turns the scan of this age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error) { scans_.set_heading_error(age, error); }
 
-  /// How sure the owner of a slot is to exist; its claims count by that much. Below `kLeastExistence` they
-  /// do not count.
+  /// Sets the probability that the owner of a slot exists: its claims count by it, and not at all below
+  /// `kLeastExistence`.
   void set_existence(int owner, double existence);
-  static constexpr double kLeastExistence = 0.1;
+  static constexpr double kLeastExistence = 0.1;  ///< Least existence of a track whose claims count.
 
-  void add_claim(int age, const Claim& claim);
-  void forget_claims(int owner);
-  void forget_claims(int owner, int age);
+  void add_claim(int age, const Claim& claim);  ///< On the scan of this age.
+  void forget_claims(int owner);                ///< Those of a slot on all scans.
+  void forget_claims(int owner, int age);       ///< Those of a slot on the scan of this age.
 
-  /// Sets `log_ratio[i]` to ln of the density of targets that stood where hypothesis i, moved by `seconds`,
-  /// was before the scan of age `oldest`, relative to that of the prior: in view, as far as they were not
-  /// found yet.
+  /// Sets `log_ratio[i]` to ln of the density of undetected targets, over that of the prior, where hypothesis
+  /// i, moved by `seconds`, was just before the scan of age `oldest`: in view as given to `push` with that
+  /// scan, out of view 1.
   void begin(const HypothesisSpan& hypotheses, double seconds, int oldest, std::span<double> log_ratio);
 
-  /// Adds to `log_ratio[i]` what the scans of these ages say of trajectory i, the claims of all but `self`
-  /// left out; with births, what `log_ratio` held before is lost. The sum over the beginnings is
-  /// Q_t = (Q_{t-1} + birth) L_t, oldest first, as in docs/joint_estimator.md.
+  /// Adds to `log_ratio[i]` ln of the likelihood ratio of trajectory i over the scans of these ages, given
+  /// the claims of all tracks but `self`. With births it is the sum over the scans at which the target may
+  /// have appeared, Q_t = (Q_{t-1} + birth) L_t, oldest first ([Granstrom2018] has such densities over
+  /// trajectories), and replaces what `log_ratio` held. docs/joint_estimator.md.
   /// @param mean of the trajectories, near which claims matter.
   void add(const TrajectoryCloud& cloud, const Trajectory& mean, const AgeSpan& ages, int self,
            std::span<double> log_ratio);
@@ -76,14 +79,14 @@ class ScanLikelihood {
   /// The claims of all but `self` on the scan of this age as a mask; null where nothing is claimed. Valid
   /// until the next call. @param beam only claims within `kNeighbourhood` beams of it; negative: all.
   const BeamMask* mask(int age, int self, int beam);
-  static constexpr int kNeighbourhood = 10;
+  static constexpr int kNeighbourhood = 10;  ///< [beams].
 
-  /// Whether what the others claim of the newest scan may be an echo of a target at `mean`; taken for granted
-  /// of beams that others claim near it.
+  /// Whether others claim what may be the detection of a target at `mean`: of a sensor without beams, one
+  /// that is near it; of beams, any within `kNeighbourhood`.
   bool contested(int self, const Trajectory& mean);
 
-  /// Probability that a track made an echo of that scan, judged by the claims on its beam and both neighbours
-  /// and by its range. @param index beam, or index of the detection of a point sensor.
+  /// Probability that a known track made the return at `range` [m] of the scan of this age: the claims on its
+  /// beam and on both neighbours whose range fits. @param index beam, or index of a point sensor's detection.
   double explained(int age, int index, double range) const;
 
  private:
@@ -98,7 +101,7 @@ class ScanLikelihood {
   ScanHistory scans_;
   TargetPrior prior_;
   std::int64_t first_utime_ = 0;
-  std::vector<double> log_unseen_;  ///< As given to `push`, of each scan kept.
+  std::vector<double> log_undetected_;  ///< As given to `push`, of each scan kept.
   std::vector<std::vector<Claim>> claims_;
   std::vector<double> existence_;
   BeamMask mask_;
@@ -106,7 +109,7 @@ class ScanLikelihood {
   std::vector<float> range_, bearing_;  ///< Of hypotheses, where they begin.
 };
 
-/// The beam in which the scan has an earth-frame position; out of 0 .. num_beams - 1 outside the sector.
+/// The beam in which the scan has a position [m, earth frame]; outside 0 .. num_beams - 1 if none has.
 int beam_at(const ScanTable& scan, double north, double east);
 
 }  // namespace lookout::csht

@@ -13,7 +13,7 @@ constexpr std::size_t kPoolSize = 4096;
 
 TrajectoryCovariance floored(const CloudMoments& moments, const TrajectoryCloudParams& params) {
   TrajectoryCovariance result = moments.covariance;
-  const bool turn = moments.motion == Motion::turn;
+  const bool turn = moments.motion == Motion::constant_turn;
   const std::array floor{params.position_floor, params.velocity_floor,
                          turn ? params.turn_floor : params.acceleration_floor};
   for (int i = 0; i < 6; ++i) {
@@ -40,8 +40,8 @@ void copy_trajectory(const TrajectoryCloud& from, std::size_t i, TrajectoryCloud
   to.east[k] = from.east[i];
   to.north_velocity[k] = from.north_velocity[i];
   to.east_velocity[k] = from.east_velocity[i];
-  if (from.motion == Motion::turn) to.turn_rate[k] = from.turn_rate[i];
-  if (from.motion != Motion::bend) return;
+  if (from.motion == Motion::constant_turn) to.turn_rate[k] = from.turn_rate[i];
+  if (from.motion != Motion::constant_acceleration) return;
   to.north_acceleration[k] = from.north_acceleration[i];
   to.east_acceleration[k] = from.east_acceleration[i];
 }
@@ -57,7 +57,8 @@ void add_anchor(const Anchor& anchor, const TrajectoryCloud& cloud, std::span<do
   }
 }
 
-// Equally probable trajectories of `cloud`, as many as there are, by systematic resampling through `spare`.
+// Makes the trajectories of `cloud` equally probable by systematic resampling ([Kitagawa1996]), through
+// `spare`.
 void resample(double uniform, TrajectoryCloud& cloud, TrajectoryCloud& spare) {
   const double size = static_cast<double>(cloud.size());
   double sum = cloud.weight[0];
@@ -84,14 +85,15 @@ TrajectorySampler::TrajectorySampler(const TrajectoryCloudParams& params, const 
 double TrajectorySampler::log_prior(Motion motion, const Trajectory& trajectory, bool anchored) const {
   const double value = trajectory.segment<2>(2).norm();
   const double speed = anchored ? prior_.log_edge(value) : prior_.log_speed(value);
-  if (motion == Motion::line) return speed;
-  const double spread = motion == Motion::turn ? params_.turn_prior : params_.acceleration_prior;
-  const int extra = dimensions(motion) - dimensions(Motion::line);
+  if (motion == Motion::constant_velocity) return speed;
+  const double spread = motion == Motion::constant_turn ? params_.turn_prior : params_.acceleration_prior;
+  const int extra = dimensions(motion) - dimensions(Motion::constant_velocity);
   return speed - 0.5 * trajectory.tail<2>().squaredNorm() / (spread * spread) -
          extra * (std::log(spread) + 0.5 * std::log(2.0 * std::numbers::pi));
 }
 
-// Fills the cloud around `around` and log_weight_ with minus the log density of the proposal.
+// Draws the cloud from a t distribution around `around`, and fills log_weight_ with minus the log of its
+// density.
 void TrajectorySampler::draw(const CloudMoments& around, std::size_t start, TrajectoryCloud& cloud) {
   const int d = dimensions(cloud.motion);
   const TrajectoryCovariance scaled =
@@ -118,9 +120,9 @@ void TrajectorySampler::add_prior(const TrajectoryCloud& cloud, bool anchored,
     log_weight[i] += log_prior(cloud.motion, cloud.trajectory(i), anchored);
 }
 
-// The moments of the cloud; where a few trajectories carry it, of its weights tempered (their logarithms
-// halved) until enough do: a guess that is too wide converges, one that is too narrow never does. [Neal2001]
-// Sec. 2.
+// The moments of the cloud, from which the next round proposes. Where few trajectories carry the weight, the
+// weights are first tempered, their logarithms shrunk until enough do: a proposal that is too wide still
+// converges, one that is too narrow never does. [Neal2001] Sec. 2.
 CloudMoments TrajectorySampler::next_guess(TrajectoryCloud& cloud) {
   const double enough = params_.tempered_share * static_cast<double>(cloud.size());
   double exponent = 1.0;

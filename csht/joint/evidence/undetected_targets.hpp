@@ -9,19 +9,20 @@
 
 namespace lookout::csht {
 
-/// How many targets are in view that no track stands for, on average: those of the prior and those that come
-/// into sight, found at the rate at which evidence comes in.
+/// Mean number of targets in view that no track stands for yet: those of the prior, and those that appear or
+/// enter since. They are found at the rate at which evidence comes in. It is the Poisson intensity of
+/// undetected targets in a Poisson multi-Bernoulli filter ([Williams2015]), as one number.
 class UndetectedTargets {
  public:
+  /// @param params validated.
   UndetectedTargets(const BirthParams& params, const TargetPrior& prior)
       : params_(params), prior_(prior), mean_(prior.expected_targets()), standing_(mean_) {}
 
-  /// Takes one scan in, `seconds` after the one before. @return the mean after it.
+  /// Takes one scan in, `seconds` after the one before, with these figures of the sensor. @return mean().
   double update(const ScanTable& scan, const SensorFigures& figures, double seconds);
-  double mean() const { return mean_; }
-  /// Those that may stand anywhere in view, to those of the prior, 1 at most: however long nothing was seen,
-  /// no more stand there than that. What came in through the border is left out: it is near it still, or
-  /// found.
+  double mean() const { return mean_; }  ///< After the newest scan, >= 0.
+  /// Density of undetected targets inside the field of view over that of the prior, in [0, 1]. Those that
+  /// came in over the border are not counted: they are near it still, or found already.
   double relative() const { return std::min(1.0, standing_ / prior_.expected_targets()); }
 
  private:

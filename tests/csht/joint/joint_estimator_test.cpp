@@ -72,12 +72,12 @@ TEST(JointEstimator, IsRepeatable) {
 TEST(JointEstimator, ForgetsATargetThatHasLeft) {
   auto scans = testing::noisy_scans({{{80, 10}, {-1, 2}}}, 45, 9, 1010);
   for (std::size_t k = 20; k < scans.size(); ++k)
-    std::erase_if(scans[k].scan.returns, [](const auto& echo) { return std::abs(echo.bearing) < 1.0; });
+    std::erase_if(scans[k].scan.returns, [](const auto& r) { return std::abs(r.bearing) < 1.0; });
   JointEstimator estimator({}, known_sonar(), 1);
   EXPECT_TRUE(estimate(estimator, scans).empty());
 }
 
-// 200 scans without a target: nine looks beside the prior's two, 2 targets x 2 / 11 = 0.36 remain.
+// 200 scans without a target: nine windows beside the prior's two, 2 targets x 2 / 11 = 0.36 remain.
 TEST(JointEstimator, AnEmptySeaBecomesHardToConvince) {
   JointEstimator estimator({}, known_sonar(), 1);
   EXPECT_TRUE(estimate(estimator, testing::noisy_scans({}, 200, 9, 1014)).empty());

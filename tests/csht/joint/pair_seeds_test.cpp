@@ -49,7 +49,7 @@ TEST(PairSeeds, OneScanHasNoPairs) {
   EXPECT_TRUE(birth.propose(likelihood, TargetPrior()).empty());
 }
 
-// Three exact echoes of a line fix it: position at time 0 is 10, velocity 2.
+// Three exact detections of a line fix it: position at time 0 is 10, velocity 2.
 TEST(LineFit, IsWeightedLeastSquares) {
   LineFit fit;
   for (int k = 0; k < 3; ++k) fit.add({10.0 - 2.0 * k, 5.0}, -1.0 * k, 0.3, 9.0, 1.0, 1.0);

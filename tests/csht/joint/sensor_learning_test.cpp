@@ -22,8 +22,8 @@ TEST(Resample, TakesTrajectoriesByTheirWeights) {
   for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_DOUBLE_EQ(samples[i][0], i < 2 ? 1.0 : 2.0);
 }
 
-// Echoes in 9 of 90 beams: the share is 0.1.
-std::vector<Eigen::Vector2d> nine_echoes() {
+// Returns in 9 of 90 beams: the share is 0.1.
+std::vector<Eigen::Vector2d> nine_returns() {
   std::vector<Eigen::Vector2d> points;
   for (int k = 0; k < 9; ++k) {
     const double bearing = core::radians(-40.5 + 9.0 * k);
@@ -35,7 +35,7 @@ std::vector<Eigen::Vector2d> nine_echoes() {
 TEST(SensorLearning, UnknownFalseAlarmsAreLearntFromFreeBeams) {
   JointScene scene({}, core::SonarParams(), {});
   for (int k = 0; k < 20; ++k) {
-    scene.take(scan_of(k, nine_echoes()));
+    scene.take(scan_of(k, nine_returns()));
     scene.learn();
   }
   EXPECT_NEAR(scene.learning.estimate().false_alarm_probability, 0.1, 0.005);
@@ -47,7 +47,7 @@ TEST(SensorLearning, FiguresThatFitAreLeftAsGiven) {
   core::SonarParams sonar;
   sonar.miss_probability = sonar.false_alarm_probability = 0.1;
   JointScene scene({}, sonar, {});
-  scene.take(scan_of(0, nine_echoes()));
+  scene.take(scan_of(0, nine_returns()));
   scene.learn();
   EXPECT_DOUBLE_EQ(scene.learning.figures().false_alarm_probability, 0.1);
   EXPECT_DOUBLE_EQ(scene.learning.figures().miss_probability, 0.1);

@@ -40,21 +40,21 @@ TEST(BlurredLikelihood, AnExactPoseTakesTheHardBeams) {
 }
 
 TEST(BlurredLikelihood, WeighsEachBeamWithItsProbability) {
-  const auto echo = table_of({{core::radians(0.5), 80.0, 1}}, 1.0);
+  const auto reported = table_of({{core::radians(0.5), 80.0, 1}}, 1.0);
   const double sharp = ratio_at(table_of({{core::radians(0.5), 80.0, 1}}, 0.0), 80.0, 0.5);
   // P(|x| < 1/2 beam) = 0.383 and P(1/2 < x < 3/2) = 0.242 of a unit normal, its logistic stand-in within
   // 0.02.
-  EXPECT_NEAR(ratio_at(echo, 80.0, 0.5), 0.383 * sharp + 0.617 * kSilence, 0.02 * sharp);
-  EXPECT_NEAR(ratio_at(echo, 80.0, 1.5), 0.242 * sharp + 0.758 * kSilence, 0.02 * sharp);
-  EXPECT_NEAR(ratio_at(echo, 80.0, 20.5), kSilence, 1e-6);
+  EXPECT_NEAR(ratio_at(reported, 80.0, 0.5), 0.383 * sharp + 0.617 * kSilence, 0.02 * sharp);
+  EXPECT_NEAR(ratio_at(reported, 80.0, 1.5), 0.242 * sharp + 0.758 * kSilence, 0.02 * sharp);
+  EXPECT_NEAR(ratio_at(reported, 80.0, 20.5), kSilence, 1e-6);
 }
 
 TEST(BlurredLikelihood, APositionErrorBlursWhatIsNearAndNotWhatIsFar) {
-  const auto echo = [](double range) { return table_of({{core::radians(0.5), range, 1}}, 0.1, 0.5); };
+  const auto reported = [](double range) { return table_of({{core::radians(0.5), range, 1}}, 0.1, 0.5); };
   const double sharp = ratio_at(table_of({{core::radians(0.5), 80.0, 1}}, 0.0), 80.0, 0.5);
   // Heading, edge and position together: 0.23 beams there, P(|x| < 1/2) = 0.970; 1.9 beams here, 0.207.
-  EXPECT_NEAR(ratio_at(echo(140.0), 140.0, 0.5), 0.970 * sharp, 0.025 * sharp);
-  EXPECT_NEAR(ratio_at(echo(15.0), 15.0, 0.5), 0.207 * sharp, 0.025 * sharp);
+  EXPECT_NEAR(ratio_at(reported(140.0), 140.0, 0.5), 0.970 * sharp, 0.025 * sharp);
+  EXPECT_NEAR(ratio_at(reported(15.0), 15.0, 0.5), 0.207 * sharp, 0.025 * sharp);
 }
 
 // Whatever the beams return, the mean over clutter is one: each beam's own ratio averages one.
@@ -67,7 +67,7 @@ TEST(BlurredLikelihood, AveragesOneUnderClutter) {
     for (int beam = 40; beam < 51; ++beam)
       if (random.bernoulli(kFalse))
         returns.push_back({core::radians(beam - 44.5), random.uniform(70.0, 90.0), 1});
-    // Echoes are drawn where they matter, 20 m of the 150 that the figures stand for.
+    // Returns are drawn where they matter, 20 m of the 150 that the figures stand for.
     sum += ratio_at(table_of(returns, 0.7), 80.0, 0.8) - kMiss;
   }
   EXPECT_NEAR(sum / kScans * 20.0 / 150.0, (1.0 - kMiss), 0.05);
@@ -105,7 +105,7 @@ TEST(BlurredLikelihood, AWholeCircleHasNoEdge) {
   EXPECT_GT(ratio_at(table, 40.0, 178.5), 2.0 * kSilence);
 }
 
-TEST(BlurredLikelihood, TheEchoTellsInWhichBeamTheTargetWas) {
+TEST(BlurredLikelihood, TheReturnTellsInWhichBeamTheTargetWas) {
   const auto table = table_of({{core::radians(1.5), 80.0, 1}}, 1.0);
   const BeamShares shares = beam_shares(table, core::from_polar(80.0, core::radians(0.5)), {});
   ASSERT_EQ(shares.count, 2 * table.blur_reach + 1);

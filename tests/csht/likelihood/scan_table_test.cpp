@@ -10,7 +10,7 @@
 namespace lookout::csht {
 namespace {
 
-// Four beams of 10 degrees about the bow; one echo at 40 m in beam 1.
+// Four beams of 10 degrees about the bow; one return at 40 m in beam 1.
 core::PosedScan four_beams() {
   core::PosedScan posed;
   posed.scan.num_beams = 4;
@@ -30,7 +30,7 @@ ScanTable with_figures(const SensorModelParams& model) {
   return table;
 }
 
-TEST(ScanTable, LaysEchoesOutByBeamWithASlotAtEitherEnd) {
+TEST(ScanTable, LaysReturnsOutByBeamWithASlotAtEitherEnd) {
   ScanTable table;
   EXPECT_EQ(fill_scan_table(four_beams(), table), 0);
   ASSERT_EQ(table.range.size(), 6U);
@@ -51,7 +51,7 @@ TEST(ScanTable, FiguresOfTheExclusiveBeam) {
   EXPECT_EQ(table.base.back(), 1.0F);
 }
 
-// Of a silence, and of an echo of something else, which says in an exclusive beam that no target is there.
+// Of a silence, and of a return of something else, which says in an exclusive beam that no target is there.
 TEST(ScanTable, WhatSilenceGainsAtTheEndOfTheRangeGate) {
   const ScanTable table = with_figures({});
   EXPECT_NEAR(table.lost[1], 0.8 / 0.5, 1e-6);

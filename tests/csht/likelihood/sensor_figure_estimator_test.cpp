@@ -46,7 +46,7 @@ TEST(SensorFigures, LearnsAllThree) {
   EXPECT_LT(estimate.false_alarm_probability_sigma, 0.006);
 }
 
-// Where it was ten scans ago, the default `settle_scans`, is not known: nothing is learnt of echoes and
+// Where it was ten scans ago, the default `settle_scans`, is not known: nothing is learnt of returns and
 // misses, and P_M stays where it is without any, 0.5 of four trials that have faded.
 TEST(SensorFigures, ATargetThatHasNotBeenThereForLongTeachesNothing) {
   const auto estimate = watch(testing::sonar(), 20, 3.0, 9).estimate();
@@ -54,9 +54,9 @@ TEST(SensorFigures, ATargetThatHasNotBeenThereForLongTeachesNothing) {
   EXPECT_GT(estimate.miss_probability_sigma, 0.2);
 }
 
-// At 149.5 m, 0.43 of the echoes are beyond 150 m: a share of 0.6 of silences, and no more misses than
+// At 149.5 m, 0.43 of the returns are beyond 150 m: a share of 0.6 of silences, and no more misses than
 // anywhere.
-TEST(SensorFigures, EchoesLostBeyondTheRangeAreNoMisses) {
+TEST(SensorFigures, ReturnsLostBeyondTheRangeAreNoMisses) {
   const auto estimate = watch(testing::sonar(), 0, 3.0, 120, {{149.5, 1.0}, {0.0, 0.0}}).estimate();
   EXPECT_NEAR(estimate.miss_probability, 0.3, 0.15);  // Three sigma of 110 trials of which half tell little.
 }
@@ -94,7 +94,7 @@ TEST(SensorFigures, AWrongFalseAlarmProbabilityCastsDoubtOnTheMisses) {
 TEST(SensorFigures, AWrongRangeSigmaIsFoundOut) {
   const auto estimator = watch(testing::sonar(), 2, 1.2);  // 3 m is given.
   EXPECT_TRUE(estimator.doubts_range_sigma());
-  // About 80 echoes at 1.2 m and the given figure's weight of 20 at 3 m: sqrt((80 1.44 + 20 9) / 100) = 1.7.
+  // About 80 returns at 1.2 m and the given figure's weight of 20 at 3 m: sqrt((80 1.44 + 20 9) / 100) = 1.7.
   EXPECT_NEAR(estimator.figures().range_sigma, 1.7, 0.3);
 }
 

@@ -34,29 +34,29 @@ Eigen::Vector2d in_beam_45(double range) {
 }
 
 TEST(SensorLikelihood, ExclusiveBeamIsTheFormulaOfTheLiteralSonar) {
-  const auto echo = table_of({{core::radians(0.5), 80.0, 1}}, ClutterModel::exclusive_beam);
+  const auto table = table_of({{core::radians(0.5), 80.0, 1}}, ClutterModel::exclusive_beam);
   const auto silent = table_of({}, ClutterModel::exclusive_beam);
-  EXPECT_NEAR(log_ratio(echo, nullptr, in_beam_45(81.0)),
+  EXPECT_NEAR(log_ratio(table, nullptr, in_beam_45(81.0)),
               std::log((1 - kMiss) * gaussian(1.0) * 150.0 / kFalse + std::exp(-8.0)), 1e-5);
-  EXPECT_NEAR(log_ratio(echo, nullptr, in_beam_45(40.0)), -8.0, 1e-5);  // The floor.
+  EXPECT_NEAR(log_ratio(table, nullptr, in_beam_45(40.0)), -8.0, 1e-5);  // The floor.
   EXPECT_NEAR(log_ratio(silent, nullptr, in_beam_45(81.0)), std::log(kMiss / (1 - kFalse)), 1e-5);
-  EXPECT_EQ(log_ratio(echo, nullptr, in_beam_45(151.0)), 0.0);
-  EXPECT_EQ(log_ratio(echo, nullptr, {-50.0, 0.0}), 0.0);
+  EXPECT_EQ(log_ratio(table, nullptr, in_beam_45(151.0)), 0.0);
+  EXPECT_EQ(log_ratio(table, nullptr, {-50.0, 0.0}), 0.0);
 }
 
 TEST(SensorLikelihood, EdgesAreAMixtureOfBothBeams) {
   const auto table = table_of({{core::radians(0.5), 80.0, 1}}, ClutterModel::exclusive_beam);
-  const double echo = std::exp(log_ratio(table, nullptr, in_beam_45(80.0)));
+  const double reported = std::exp(log_ratio(table, nullptr, in_beam_45(80.0)));
   const double silence = kMiss / (1 - kFalse);
   const auto at = [&](double deg) {
     return std::exp(log_ratio(table, nullptr, core::from_polar(80.0, core::radians(deg))));
   };
-  EXPECT_NEAR(at(1.0), 0.5 * (echo + silence), 1e-4);         // On the edge.
-  EXPECT_NEAR(at(1.05), 0.25 * echo + 0.75 * silence, 1e-3);  // Half way out of the soft part.
+  EXPECT_NEAR(at(1.0), 0.5 * (reported + silence), 1e-4);         // On the edge.
+  EXPECT_NEAR(at(1.05), 0.25 * reported + 0.75 * silence, 1e-3);  // Half way out of the soft part.
   EXPECT_NEAR(at(1.11), silence, 1e-6);
 }
 
-// Under clutter alone a likelihood ratio averages 1 by construction; the echo's range is integrated by the
+// Under clutter alone a likelihood ratio averages 1 by construction; the return's range is integrated by the
 // midpoint rule. The floor adds what it is: P_F e^-8.
 double mean_under_clutter(ClutterModel clutter, const BeamMask* mask = nullptr, double at = 80.0) {
   const int steps = 15000;
@@ -74,8 +74,8 @@ TEST(SensorLikelihood, AveragesOneUnderClutter) {
   EXPECT_NEAR(mean_under_clutter(ClutterModel::shared_beam), 1.0, 1e-5);
 }
 
-// At either end of the range gate too: what a silence gains there is what echoes lose.
-TEST(SensorLikelihood, AveragesOneWhereNoiseTakesEchoesOutOfTheGate) {
+// At either end of the range gate too: what a silence gains there is what returns lose.
+TEST(SensorLikelihood, AveragesOneWhereNoiseTakesReturnsOutOfTheGate) {
   for (const double at : {149.9, 148.0, 1.0}) {
     EXPECT_NEAR(mean_under_clutter(ClutterModel::exclusive_beam, nullptr, at), 1.0 + kFalse * std::exp(-8.0),
                 1e-4);
@@ -91,9 +91,9 @@ TEST(SensorLikelihood, ASilenceAtTheEndOfTheRangeIsHalfAMiss) {
   EXPECT_NEAR(std::exp(log_ratio(point, nullptr, in_beam_45(150.0))), kMiss + 0.5 * (1 - kMiss), 1e-6);
 }
 
-TEST(SensorLikelihood, ToleranceWidensAndLowersTheEcho) {
-  const auto echo = table_of({{core::radians(0.5), 80.0, 1}}, ClutterModel::exclusive_beam);
-  const double wide = log_ratio(echo, nullptr, in_beam_45(84.0), {.sigma_scale = 2.0});
+TEST(SensorLikelihood, ToleranceWidensAndLowersTheReturn) {
+  const auto table = table_of({{core::radians(0.5), 80.0, 1}}, ClutterModel::exclusive_beam);
+  const double wide = log_ratio(table, nullptr, in_beam_45(84.0), {.sigma_scale = 2.0});
   const double two_sigma = (1 - kMiss) * gaussian(2.0) / 2.0 * 150.0 / kFalse;  // 4 m are one wide sigma.
   EXPECT_NEAR(std::exp(wide), two_sigma + std::exp(-8.0), 1e-3);
 }
@@ -106,7 +106,7 @@ TEST(SensorLikelihood, AveragesOneBehindAnOwnedBeam) {
   EXPECT_NEAR(mean_under_clutter(ClutterModel::exclusive_beam, &mask), 1.0, 1e-4);
 }
 
-TEST(SensorLikelihood, PointSensorIsPoissonClutterAndOneEcho) {
+TEST(SensorLikelihood, PointSensorIsPoissonClutterAndOneReturn) {
   const auto table = table_of({{0.10, 80.0, 1}, {-0.2, 30.0, 1}}, ClutterModel::point);
   const double density = 4.0 / (150.0 * core::radians(90.0));
   const double peak = 1.0 / (2 * std::numbers::pi * kSigma * 0.02);

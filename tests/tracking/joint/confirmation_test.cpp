@@ -15,8 +15,8 @@ TrackerState empty_sea() {
   return state;
 }
 
-std::span<const core::Track> output_of(Confirmation& output, double unseen, TrackerState& state) {
-  output.choose(unseen, state);
+std::span<const core::Track> output_of(Confirmation& output, double undetected, TrackerState& state) {
+  output.choose(undetected, state);
   return output.publish(state);
 }
 
@@ -34,8 +34,8 @@ TEST(Confirmation, AProbableTrackIsConfirmedAndAnUnlikelyOneIsNot) {
   EXPECT_TRUE(state.tracks[0].confirmed_once);
 }
 
-// Expected OSPA with nothing reported and six targets unseen is 20 m; a wrong report costs nothing then. But
-// a track that never was sure is not worth it.
+// Expected OSPA with nothing reported and six targets undetected is 20 m; a wrong report costs nothing then.
+// But a track that was never confirmed must be probable by itself.
 TEST(Confirmation, WithMuchUnseenADoubtfulTrackIsReportedAgain) {
   TrackerState state = empty_sea();
   add_track(state, kLine, -1.0);
@@ -46,8 +46,8 @@ TEST(Confirmation, WithMuchUnseenADoubtfulTrackIsReportedAgain) {
   EXPECT_EQ(output_of(output, 0.0, state)[0].status, core::TrackStatus::tentative);
 }
 
-// Echoes bring 3.3 nats at (.3, .3) and 2.5 at (.5, .5), where silence says nothing: ln((1 - e^-x) / x) is
-// -1.24 and -1.00, so that 0.36 and 0.60 are needed.
+// Detections bring 3.3 nats at (.3, .3) and 2.5 at (.5, .5), where silence says nothing: ln((1 - e^-x) / x)
+// is -1.24 and -1.00, so that 0.36 and 0.60 are needed.
 TEST(Confirmation, WhereOddsLeapAFirstReportNeedsLess) {
   ReportParams params;
   params.first_log_odds = 1.6;
@@ -63,7 +63,7 @@ TEST(Confirmation, WhereOddsLeapAFirstReportNeedsLess) {
   }
 }
 
-// Where echoes alone would do at less than even odds: at (.02, .02) they leap by 6 nats.
+// Where detections alone would do at less than even odds: at (.02, .02) they leap by 6 nats.
 TEST(Confirmation, AFirstReportNeverNeedsLessThanEvenOdds) {
   core::SonarParams sonar = clear_sonar();
   sonar.miss_probability = sonar.false_alarm_probability = 0.02;

@@ -63,11 +63,11 @@ TEST(Deletion, OutOfViewAConfirmedTrackCoastsAndIsKeptInCaseItReturns) {
   csht::TargetTrack& track = add_track(state, kLine, 5.0);
   track.confirmed_once = true;
   track.visible_share = 0.2;
-  const Deletion ending(params);
+  const Deletion deletion(params);
   int scans = 0, coasting = 0;
   for (; track.used && scans < 100; ++scans) {
     state.likelihood.push(scan_of(scans + 1, {}));
-    ending.end_lives(state);
+    deletion.end_lives(state);
     coasting += track.coasting ? 1 : 0;
   }
   EXPECT_EQ(coasting, 19);  // In view at 0 s for the last time; coasting from 0.5 to 9.5 s,

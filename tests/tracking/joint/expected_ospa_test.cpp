@@ -7,10 +7,10 @@
 namespace lookout::tracking {
 namespace {
 
-std::size_t chosen(std::vector<ReportCandidate> candidates, double unseen, ReportParams params = {}) {
+std::size_t chosen(std::vector<ReportCandidate> candidates, double undetected, ReportParams params = {}) {
   core::Random random(1);
   params.samples = 4000;
-  return ExpectedOspa(params, random).choose(candidates, unseen, random);
+  return ExpectedOspa(params, random).choose(candidates, undetected, random);
 }
 
 // With one candidate, expected OSPA is 20 p unreported and 20 (1 - p) reported: report above a half.

@@ -60,7 +60,7 @@ TEST(HeadingCorrection, TheScanIsTurnedToIt) {
 TEST(HeadingCorrection, NothingIsSaidWithoutTwoTracksOrWithoutAnError) {
   TrackerState alone = state_with(misread_scan(1.0), unsteady_sonar(), 1);
   EXPECT_FALSE(
-      HeadingCorrection({}).find(alone.tracks, alone.scans()));  // Its own word would confirm itself.
+      HeadingCorrection({}).find(alone.tracks, alone.scans()));  // One track alone would confirm itself.
   TrackerState steady = state_with(misread_scan(0.0), clear_sonar(), 3);
   EXPECT_FALSE(HeadingCorrection({}).find(steady.tracks, steady.scans()));
   core::SonarParams radar = unsteady_sonar();

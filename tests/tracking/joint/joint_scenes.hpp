@@ -21,7 +21,7 @@ inline void push_target(TrackerState& state, int count, const Eigen::Vector2d& s
   for (int k = 0; k < count; ++k) state.likelihood.push(scan_of(k, {start + Eigen::Vector2d(0.5 * k, 0.0)}));
 }
 
-/// A track in a slot of its own whose cloud is one straight trajectory, `log_odds` sure.
+/// A track in a slot of its own whose cloud is one trajectory at constant velocity, with these log odds.
 inline csht::TargetTrack& add_track(TrackerState& state, const Eigen::Vector4d& line, double log_odds) {
   csht::TargetTrack& track = *state.free_track();
   track.cloud = csht::TrajectoryCloud();

@@ -91,7 +91,7 @@ TEST(JointTracker, SameSeedSameTracks) {
   }
 }
 
-// Four targets appear in view in the 20th scan and never miss an echo. Were they held against the scans
+// Four targets appear in view in the 20th scan and never miss a detection. Were they held against the scans
 // before, each would have missed ten.
 TEST(JointTracker, TargetsThatAppearInViewAreNoMissesOfTheScansBefore) {
   const std::vector<Eigen::Vector2d> four{{60, 20}, {90, -40}, {40, 0}, {110, 30}};

@@ -54,9 +54,9 @@ TEST(MotionChange, AStraightTargetKeepsItsLine) {
   EXPECT_EQ(follow(0.0).manoeuvres, 0);
 }
 
-// 6 deg/s at 2 m/s: a circle of 19 m radius, from which a line would be led off by 40 m. Echoes are exact: a
-// turn that is remembered is known better than sigma, 3 m, over the square root of its last eight seconds'
-// sixteen echoes, but for the steps in which the target moves.
+// 6 deg/s at 2 m/s: a circle of 19 m radius, 40 m off any trajectory at constant velocity. Returns are exact:
+// a turn that is remembered is known better than sigma, 3 m, over the square root of the sixteen returns of
+// its last eight seconds, but for the steps in which the target moves.
 TEST(MotionChange, ATurningTargetIsFollowedByOneTrack) {
   const Outcome outcome = follow(core::radians(6.0));
   EXPECT_GE(outcome.manoeuvres, 1);
@@ -67,14 +67,14 @@ TEST(MotionChange, ATurningTargetIsFollowedByOneTrack) {
 
 // False alarms in 0.3 of the beams, but for the one at `bearing`.
 std::vector<Eigen::Vector2d> clutter(const core::SonarParams& sonar, double bearing, core::Random& random) {
-  std::vector<Eigen::Vector2d> echoes;
+  std::vector<Eigen::Vector2d> returns;
   for (int beam = 0; beam < sonar.num_beams; ++beam) {
     const double at = sonar.first_bearing + beam * sonar.bearing_step;
     const double range = random.uniform(0.0, sonar.max_range);
     if (random.bernoulli(0.3) && std::abs(at - bearing) > 0.5 * sonar.bearing_step)
-      echoes.emplace_back(range * std::cos(at), range * std::sin(at));
+      returns.emplace_back(range * std::cos(at), range * std::sin(at));
   }
-  return echoes;
+  return returns;
 }
 
 // Scans without a confirmed track after the first with one. At 3 m/s when it appears, the target stops after
@@ -88,10 +88,10 @@ int scans_lost(std::uint64_t seed) {
   for (int k = 0; k < 60; ++k) {
     const double seconds = 0.5 * (k - 20);
     const Eigen::Vector2d position(80.0, 20.0 - seconds * (3.0 - 0.15 * seconds));
-    std::vector<Eigen::Vector2d> echoes = clutter(sonar, std::atan2(position.y(), position.x()), random);
+    std::vector<Eigen::Vector2d> returns = clutter(sonar, std::atan2(position.y(), position.x()), random);
     if (k >= 20 && !random.bernoulli(0.3))
-      echoes.push_back(position * (1.0 + random.gaussian(sonar.range_sigma) / position.norm()));
-    const auto tracks = tracker.step(scan_of(k, echoes)).tracks;
+      returns.push_back(position * (1.0 + random.gaussian(sonar.range_sigma) / position.norm()));
+    const auto tracks = tracker.step(scan_of(k, returns)).tracks;
     const bool confirmed = std::any_of(tracks.begin(), tracks.end(), [&](const core::Track& track) {
       return track.status == core::TrackStatus::confirmed && (track.position() - position).norm() < 10.0;
     });
@@ -101,15 +101,15 @@ int scans_lost(std::uint64_t seed) {
   return lost;
 }
 
-// Held to lines while young, the track was lost for 76 scans in 30 runs, 2.5 a run.
+// When young tracks were held to constant velocity, this one was lost for 76 scans in 30 runs, 2.5 a run.
 TEST(MotionChange, ATargetThatAcceleratesFromTheFirstOnIsNotLost) {
   int lost = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) lost += scans_lost(seed);
   EXPECT_LE(lost, 30);
 }
 
-// The sector's edge cuts the circle of turn_6deg's first target: for 13 s, longer than the coast, it is
-// unseen.
+// The sector's edge cuts the circle of turn_6deg's first target: for 13 s, longer than the coast, it is out
+// of view.
 TEST(MotionChange, ATargetThatTurnsBackIntoViewIsKnownAgain) {
   ScanPipeline tracker = joint_pipeline(known_sonar(), 1);
   const double rate = core::radians(6.0), radius = 1.5 / rate;

@@ -38,7 +38,7 @@ TEST(Retrodiction, DrawsATrackBackAlongItsLine) {
   EXPECT_TRUE(retrodiction.at(1 * kSecond, tracks, scans, 0.5).empty());  // Before its start.
 }
 
-TEST(Retrodiction, RemembersATrackThatEndedUpToItsLastEcho) {
+TEST(Retrodiction, RemembersATrackThatEndedUpToItsLastDetection) {
   Retrodiction retrodiction;
   const csht::ScanHistory scans = twenty_scans();
   retrodiction.retire(sure_track(), 9'500'000, 4.0);

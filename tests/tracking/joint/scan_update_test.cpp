@@ -21,8 +21,8 @@ TEST(ScanUpdate, PredictionMovesTracksAndLetsThemFade) {
   EXPECT_NEAR(track.existence(), 0.5 * std::exp(-5.0 / params.life.mean_life_s), 1e-12);
 }
 
-// ln[(1 - P_M) N(0; 0, sigma^2) R / P_F] for an echo in the middle of the beam at the very range.
-TEST(ScanUpdate, AnEchoRaisesTheOddsByItsLikelihoodRatio) {
+// ln[(1 - P_M) N(0; 0, sigma^2) R / P_F] for a return in the middle of the beam at the very range.
+TEST(ScanUpdate, AReturnRaisesTheOddsByItsLikelihoodRatio) {
   TrackerState state({}, clear_sonar(), 1);
   const Eigen::Vector2d middle =
       60.0 * Eigen::Vector2d(std::cos(core::radians(0.5)), std::sin(core::radians(0.5)));
@@ -42,7 +42,7 @@ TEST(ScanUpdate, SilenceSpeaksAgainstATrackInClearWater) {
   EXPECT_NEAR(track.log_odds, 1.0 + std::log(0.1 / 0.9), 1e-4);
 }
 
-// The nearer of two in a beam owns the echo; the farther one learns next to nothing.
+// The nearer of two in a beam owns the return; the farther one learns next to nothing.
 TEST(ScanUpdate, BehindASureTrackNothingIsLearnt) {
   TrackerState state({}, clear_sonar(), 1);
   state.likelihood.push(scan_of(0, {{60.0, 0.5}}));
@@ -52,8 +52,7 @@ TEST(ScanUpdate, BehindASureTrackNothingIsLearnt) {
   EXPECT_NEAR(behind.log_odds, 1.0, 0.01);
 }
 
-// Without beams: two targets 60 m apart tell of their motion both; before, either's claims silenced the
-// other.
+// Without beams, two targets 60 m apart both teach of their motion: neither's claims concern the other.
 TEST(ScanUpdate, OfAPointSensorAClaimElsewhereLeavesATracksMotionToBeJudged) {
   core::SonarParams radar = clear_sonar();
   radar.false_alarm_probability.reset();
@@ -61,7 +60,7 @@ TEST(ScanUpdate, OfAPointSensorAClaimElsewhereLeavesATracksMotionToBeJudged) {
   TrackerState state({}, radar, 1);
   state.likelihood.push(scan_of(0, {{60.0, 0.5}, {120.0, 0.5}}));
   add_track(state, {120.0, 0.5, 0.0, 0.0}, 5.0);
-  csht::TargetTrack& missed = add_track(state, {69.0, 0.5, 0.0, 0.0}, 5.0);  // Three sigma off its echo.
+  csht::TargetTrack& missed = add_track(state, {69.0, 0.5, 0.0, 0.0}, 5.0);  // Three sigma off its return.
   ScanUpdate({}).update(state);
   EXPECT_LT(missed.recent.sum(1), missed.recent.expected(1) - 1.0);
 }

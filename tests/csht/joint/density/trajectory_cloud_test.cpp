@@ -20,7 +20,7 @@ TrajectoryCloud two_trajectories() {
 
 TEST(TrajectoryCloud, MovesAlongVelocityAndAcceleration) {
   TrajectoryCloud cloud = two_trajectories();
-  cloud.motion = Motion::bend;
+  cloud.motion = Motion::constant_acceleration;
   cloud.north_acceleration[1] = 0.5;
   cloud.predict(2.0);
   EXPECT_DOUBLE_EQ(cloud.north[1], 2.0 + 2.0 + 1.0);
@@ -32,7 +32,7 @@ TEST(TrajectoryCloud, MovesAlongVelocityAndAcceleration) {
 TEST(TrajectoryCloud, MovesAlongAnArc) {
   const double rate = 0.05 * 3.14159265358979;
   TrajectoryCloud cloud = two_trajectories();
-  cloud.motion = Motion::turn;
+  cloud.motion = Motion::constant_turn;
   cloud.turn_rate = {0.0, rate};
   cloud.predict(10.0);
   EXPECT_NEAR(cloud.north[1], 2.0 + 1.0 / rate, 1e-9);
@@ -43,7 +43,7 @@ TEST(TrajectoryCloud, MovesAlongAnArc) {
 
 // The vectorised places are those of each trajectory on its own, however slowly it turns.
 TEST(TrajectoryCloud, PlacesAllTrajectoriesWhereEachIs) {
-  for (const Motion motion : {Motion::turn, Motion::bend}) {
+  for (const Motion motion : {Motion::constant_turn, Motion::constant_acceleration}) {
     TrajectoryCloud cloud = two_trajectories(), at;
     cloud.motion = motion;
     cloud.turn_rate = {-0.1, 1e-9};

@@ -7,7 +7,7 @@
 namespace lookout::csht {
 namespace {
 
-// Half the cloud on an echo dead ahead at 60 m, half on a silent place 20 m to starboard.
+// Half the cloud on a detection dead ahead at 60 m, half on a silent place 20 m to starboard.
 TargetTrack split_track() {
   TargetTrack track;
   track.cloud.resize(2);
@@ -17,13 +17,13 @@ TargetTrack split_track() {
   return track;
 }
 
-TEST(BeamClaims, SeesVisibilityAndEcho) {
+TEST(BeamClaims, SeesVisibilityAndDetection) {
   ScanLikelihood likelihood({}, {}, {}, 10, 4);
   likelihood.push(scan_of(0, {{60.0, 0.5}}));
   TargetTrack track = split_track();
   BeamClaims().observe(0, track, false, likelihood);
   EXPECT_DOUBLE_EQ(track.visible_share, 1.0);
-  EXPECT_DOUBLE_EQ(track.echo_share, 0.5);
+  EXPECT_DOUBLE_EQ(track.detected_share, 0.5);
   track.cloud.east[1] = 200.0;
   BeamClaims().observe(0, track, false, likelihood);
   EXPECT_DOUBLE_EQ(track.visible_share, 0.5);
@@ -39,7 +39,7 @@ TEST(BeamClaims, ClaimsEachBeamByItsShare) {
   EXPECT_NEAR(likelihood.explained(0, 63, 63.2), 0.5, 1e-6);  // 18.4 deg.
 }
 
-TEST(BeamClaims, APointSensorsEchoIsClaimedByItsLikelihood) {
+TEST(BeamClaims, APointSensorsDetectionIsClaimedByItsLikelihood) {
   SensorModelParams model;
   model.clutter = ClutterModel::point;
   ScanLikelihood likelihood({}, model, {}, 10, 4);

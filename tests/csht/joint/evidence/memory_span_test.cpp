@@ -32,14 +32,14 @@ TEST(MemoryOf, ReachesToTheFirstScanOrTheMemorysEnd) {
 TEST(OldestWithin, IsNeverOfTooFewScans) {
   const ScanHistory scans = thirty_scans();
   EXPECT_EQ(oldest_within(8.0, 7, scans), 16);
-  EXPECT_EQ(oldest_within(2.0, 7, scans), 7);    // Four scans tell no curve.
+  EXPECT_EQ(oldest_within(2.0, 7, scans), 7);    // Four scans tell no acceleration.
   EXPECT_EQ(oldest_within(2.0, 99, scans), 29);  // As far as there are any.
 }
 
 TEST(MemoryOf, ABendIsForgottenSooner) {
   const ScanHistory scans = thirty_scans();
   TargetTrack track;
-  track.cloud.motion = Motion::bend;
+  track.cloud.motion = Motion::constant_acceleration;
   track.first_scan = 5;  // 24 before the newest.
   EXPECT_EQ(memory_of(track, scans, {60.0, 8.0}).oldest, 16);
   EXPECT_EQ(memory_of(track, scans, {60.0, 40.0}).oldest, 24);
@@ -50,7 +50,7 @@ TEST(MemoryOf, ABendThatForgotItsBirthBeginsNowhere) {
   TargetTrack track;
   track.first_scan = 5;
   EXPECT_TRUE(memory_of(track, scans, {60.0, 8.0}).births);
-  track.cloud.motion = Motion::bend;
+  track.cloud.motion = Motion::constant_acceleration;
   EXPECT_TRUE(memory_of(track, scans, {60.0, 12.0}).births);
   EXPECT_FALSE(memory_of(track, scans, {60.0, 8.0}).births);
 }

@@ -28,7 +28,7 @@ TEST(NatsPerScan, AnUncertainBeamCostsItsEntropy) {
   ScanHistory blurred(figures, {}, 4);
   exact.push(scan_of(0, {}));
   blurred.push(scan_of(0, {}));
-  // ln(2 sqrt(2 pi e)) = 2.11 nats for each of 0.9 echoes; what a silence loses is some hundredths.
+  // ln(2 sqrt(2 pi e)) = 2.11 nats for each of 0.9 detections; what a silence loses is some hundredths.
   EXPECT_NEAR(
       nats_per_scan(exact.figures(), exact.newest()) - nats_per_scan(blurred.figures(), blurred.newest()),
       0.9 * 2.11, 0.05);
@@ -47,7 +47,7 @@ TEST(LogOvershoot, IsThatOfSums) {
     double sum = 0.0;
     for (int k = 0; k < crossings; ++k) {
       double odds = -20.0 - random.uniform(0.0, 10.0);  // Longer than any period of the steps.
-      while (odds < 0.0) odds += random.bernoulli(evidence.detect) ? evidence.echo : evidence.silence;
+      while (odds < 0.0) odds += random.bernoulli(evidence.detect) ? evidence.detection : evidence.silence;
       sum += std::exp(-odds) / crossings;
     }
     EXPECT_NEAR(log_overshoot(evidence), std::log(sum), 0.02);  // Three standard errors are 0.01.

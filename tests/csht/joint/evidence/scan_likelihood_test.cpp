@@ -25,7 +25,7 @@ double log_ratio(ScanLikelihood& likelihood, const TrajectoryCloud& cloud, const
   return sum[0];
 }
 
-// Two scans, each with one echo at 60 m dead ahead, just to starboard of the axis.
+// Two scans, each with one detection at 60 m dead ahead, just to starboard of the axis.
 ScanLikelihood two_scans() {
   ScanLikelihood likelihood({}, {}, {}, 10, 4);
   for (int k = 0; k < 2; ++k) likelihood.push(scan_of(k, {{60.0, 0.5}}));
@@ -73,8 +73,8 @@ TEST(ScanLikelihood, ForgetsClaims) {
   EXPECT_EQ(likelihood.mask(1, 1, 45), nullptr);
 }
 
-// A sensor without beams, 1 degree and 3 m: 4 m behind a claimed echo it may be one's own, 10 m behind or 8
-// degrees beside it (more than 2.5 sigma) not.
+// A sensor without beams, 1 degree and 3 m: 4 m behind a claimed detection it may be one's own, 10 m behind
+// or 8 degrees beside it (more than 2.5 sigma) not.
 TEST(ScanLikelihood, AClaimedPointIsContestedNearItAlone) {
   core::SonarParams sonar;
   sonar.clutter_per_scan = 1.0;
@@ -102,7 +102,7 @@ TEST(ScanLikelihood, ABeamIsContestedByClaimsNearby) {
 TEST(ScanLikelihood, ACurvedTrajectoryIsScoredWhereItWas) {
   ScanLikelihood likelihood = two_scans();
   TrajectoryCloud cloud = one_at(60.0, 0.5);
-  cloud.motion = Motion::bend;
+  cloud.motion = Motion::constant_acceleration;
   cloud.east_acceleration[0] = 400.0;  // 50 m off half a second ago.
   EXPECT_LT(log_ratio(likelihood, cloud, {1, 1}, 0), 0.0);
   EXPECT_GT(log_ratio(likelihood, cloud, {0, 0}, 0), 3.0);

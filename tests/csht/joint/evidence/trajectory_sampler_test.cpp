@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kOwners = 4;
 
-// Twenty scans of one target on a straight line through every beam that it should be in.
+// Twenty scans of one target at constant velocity, through every beam that it should be in.
 ScanLikelihood straight_line(const SensorFigures& figures) {
   ScanLikelihood likelihood(figures, {}, {}, 40, kOwners);
   for (int k = 0; k < 20; ++k) likelihood.push(scan_of(k, {{60.0 + 0.5 * k, 10.0}}));
@@ -95,9 +95,9 @@ TEST(TrajectorySampler, WhereATargetWasSaysItsSpeedBetterThanThePrior) {
   core::Random random(4);
   const TrajectorySampler sampler({}, TargetPrior(), random);
   const Trajectory fast = Trajectory::Unit(2) * 2.9;
-  EXPECT_EQ(sampler.log_prior(Motion::line, fast, false), TargetPrior().log_speed(2.9));
-  EXPECT_EQ(sampler.log_prior(Motion::line, fast, true), 0.0);
-  EXPECT_LT(sampler.log_prior(Motion::line, Trajectory::Unit(2) * 4.0, true), -10.0);
+  EXPECT_EQ(sampler.log_prior(Motion::constant_velocity, fast, false), TargetPrior().log_speed(2.9));
+  EXPECT_EQ(sampler.log_prior(Motion::constant_velocity, fast, true), 0.0);
+  EXPECT_LT(sampler.log_prior(Motion::constant_velocity, Trajectory::Unit(2) * 4.0, true), -10.0);
 }
 
 // ln of the standard normal densities at 0 (one turn rate, two accelerations) and one sigma off.
@@ -108,10 +108,11 @@ TEST(TrajectorySampler, TurnRatesAndAccelerationsHaveAGaussianPrior) {
   params.acceleration_prior = 0.2;
   const TrajectorySampler sampler(params, TargetPrior(), random);
   const double at_zero = -0.5 * std::log(2.0 * 3.14159265358979);
-  EXPECT_NEAR(sampler.log_prior(Motion::turn, Trajectory::Zero(), false), at_zero - std::log(0.1), 1e-9);
-  EXPECT_NEAR(sampler.log_prior(Motion::bend, Trajectory::Zero(), false), 2.0 * (at_zero - std::log(0.2)),
+  EXPECT_NEAR(sampler.log_prior(Motion::constant_turn, Trajectory::Zero(), false), at_zero - std::log(0.1),
               1e-9);
-  EXPECT_NEAR(sampler.log_prior(Motion::turn, Trajectory::Unit(4) * 0.1, false),
+  EXPECT_NEAR(sampler.log_prior(Motion::constant_acceleration, Trajectory::Zero(), false),
+              2.0 * (at_zero - std::log(0.2)), 1e-9);
+  EXPECT_NEAR(sampler.log_prior(Motion::constant_turn, Trajectory::Unit(4) * 0.1, false),
               at_zero - std::log(0.1) - 0.5, 1e-9);
 }
 
@@ -128,13 +129,13 @@ TEST(TrajectorySampler, FindsATurn) {
   params.turn_prior = rate;
   TrajectorySampler sampler(params, TargetPrior(), random);
   SamplingTask task = around_truth();
-  task.guess.motion = Motion::turn;
+  task.guess.motion = Motion::constant_turn;
   task.guess.mean << 60.0, 10.0, 1.0, 0.0, 0.8 * rate, 0.0;
   task.guess.covariance.diagonal() << 4.0, 4.0, 0.25, 0.25, 0.01, 0.0;
   TrajectoryCloud cloud;
   sampler.sample(task, likelihood, random, cloud);
   const CloudMoments moments = cloud.moments();
-  EXPECT_EQ(moments.motion, Motion::turn);
+  EXPECT_EQ(moments.motion, Motion::constant_turn);
   EXPECT_LT(std::sqrt(moments.covariance(4, 4)), 0.1 * rate);
   EXPECT_LT(std::abs(moments.mean[4] - rate), 3.0 * std::sqrt(moments.covariance(4, 4)));
 }
