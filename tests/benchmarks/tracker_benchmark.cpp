@@ -10,7 +10,7 @@
 
 #include "tools/cli/thread_time.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 
 namespace {
 

@@ -6,7 +6,7 @@
 #include "core/recording.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/options.hpp"
-#include "tools/cli/tracking_chain.hpp"
+#include "tools/cli/recorded_chain.hpp"
 
 namespace lookout::tools {
 

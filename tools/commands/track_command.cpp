@@ -5,7 +5,7 @@
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/live.hpp"
 #include "tools/cli/log.hpp"
-#include "tools/cli/tracking_chain.hpp"
+#include "tools/cli/recorded_chain.hpp"
 #include "tools/commands/commands.hpp"
 #include "tracking/node/tracker_node.hpp"
 

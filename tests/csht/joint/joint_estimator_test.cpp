@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/field_of_view.hpp"
-#include "tests/csht/joint/joint_scenes.hpp"
+#include "tests/csht/joint/noisy_scans.hpp"
 
 namespace lookout::csht {
 namespace {

@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "tests/csht/joint/joint_scenes.hpp"
+#include "tests/csht/joint/noisy_scans.hpp"
 #include "tests/csht/posed_scans.hpp"
 
 namespace lookout::csht {

@@ -6,7 +6,7 @@
 
 #include "lcmtypes/message_size.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {

@@ -10,7 +10,7 @@
 #include "tools/experiments/harness/paper_figures.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
 #include "tools/experiments/tracking/perfect_association.hpp"
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 #include "tracking/metrics/scorer.hpp"
 #include "tracking/tracker_registry.hpp"
 

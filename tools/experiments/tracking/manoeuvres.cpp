@@ -7,7 +7,7 @@
 
 #include "sonar_sim/scene.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {

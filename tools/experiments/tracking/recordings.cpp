@@ -10,7 +10,7 @@
 #include "core/recording.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/paths.hpp"
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 #include "tracking/metrics/track_quality.hpp"
 #include "tracking/tracker_registry.hpp"
 

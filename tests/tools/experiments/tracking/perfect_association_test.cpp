@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 #include "tracking/metrics/scorer.hpp"
 
 namespace lookout::tools {

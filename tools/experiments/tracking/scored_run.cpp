@@ -1,4 +1,4 @@
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 
 #include "core/random.hpp"
 #include "tools/cli/thread_time.hpp"

@@ -1,4 +1,4 @@
-#include "tools/cli/tracking_chain.hpp"
+#include "tools/cli/recorded_chain.hpp"
 
 #include <cstdio>
 

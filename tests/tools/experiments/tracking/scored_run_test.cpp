@@ -1,4 +1,4 @@
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ std::vector<TimedScan> easy_run() {
                   1000, 0);
 }
 
-TEST(TrackingRun, OneAnswerAScanAndItsMetrics) {
+TEST(ScoredRun, OneAnswerAScanAndItsMetrics) {
   const auto scans = easy_run();
   const auto tracker = pipeline_of("gnn", {}, 1);
   const auto output = track(*tracker, scans);
@@ -23,13 +23,13 @@ TEST(TrackingRun, OneAnswerAScanAndItsMetrics) {
   EXPECT_GE(metrics.at("ospa_schedule").value, 0.0);
 }
 
-TEST(TrackingRun, RunsDrawFromSeedsOfTheirOwn) {
+TEST(ScoredRun, RunsDrawFromSeedsOfTheirOwn) {
   EXPECT_EQ(run_seed(1, 5), run_seed(1, 5));
   EXPECT_NE(run_seed(1, 5), run_seed(1, 6));
   EXPECT_NE(run_seed(1, 5), run_seed(2, 5));
 }
 
-TEST(TrackingRun, DelayedOutputAnswersForScansThatAreLongEnoughAgo) {
+TEST(ScoredRun, DelayedOutputAnswersForScansThatAreLongEnoughAgo) {
   const auto scans = easy_run();
   const auto scene = load_variant("tracking_table7.yaml", {0.1, 0.1, 1.0, sonar_sim::ClutterReading::light});
   const core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
