@@ -6,19 +6,19 @@
 
 namespace lookout::csht {
 
-/// Most scans that a window may hold; candidates keep one sample a scan in place.
+/// Most scans that a window may hold; candidates keep one detection a scan in place.
 inline constexpr int kMaxWindowScans = 100;
 
-/// A target that may be there: a straight course and the samples that it explains.
+/// A target that may be there: a straight course and the detections that it explains.
 struct Candidate {
   Eigen::Vector4d state{0, 0, 0, 0};  ///< North, east [m] at the epoch, north and east velocity [m/s].
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`.
-  std::array<int, kMaxWindowScans> own = none();         ///< Per scan the index of its sample, -1 for none.
-  int support = 0;                                       ///< How many scans have a sample of its own.
-  double log_evidence = 0.0;  ///< Log evidence for a target against clutter [nats].
-  bool offered = false;  ///< Comes from a confirmed track; once accepted: would not have been without it.
+  std::array<int, kMaxWindowScans> own = none();  ///< Per scan the index of its detection, -1 for none.
+  int support = 0;                                ///< How many scans have a detection of its own.
+  double log_evidence = 0.0;                      ///< Log evidence for a target against clutter [nats].
+  bool offered = false;  ///< Offered by a confirmed track; once accepted: too weak for a new target.
 
-  /// No sample in any scan.
+  /// No detection in any scan.
   static constexpr std::array<int, kMaxWindowScans> none() {
     std::array<int, kMaxWindowScans> own{};
     own.fill(-1);

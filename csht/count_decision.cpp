@@ -15,12 +15,13 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// ln of the density of the sample's range and bearing [1/(m rad)] given a target at p_earth, times 2 pi.
-/// Near the sonar the error across spans many beams: a pile of clutter there is weak evidence.
-double log_echo_density(const WindowSample& sample, const Eigen::Vector2d& p_earth) {
-  const double bearing_variance = sample.cross_variance / (sample.range * sample.range);
-  return -0.5 * std::log(sample.range_variance * bearing_variance) -
-         0.5 * sample.distance(sample.p_earth - p_earth);
+/// ln of the density of the detection's range and bearing [1/(m rad)] given a target at p_earth, times 2 pi.
+/// Near the sonar the error across the line of sight spans many beams, so that clutter which crowds there is
+/// weak evidence.
+double log_detection_density(const WindowDetection& detection, const Eigen::Vector2d& p_earth) {
+  const double bearing_variance = detection.cross_variance / (detection.range * detection.range);
+  return -0.5 * std::log(detection.range_variance * bearing_variance) -
+         0.5 * detection.distance(detection.p_earth - p_earth);
 }
 
 }  // namespace
@@ -35,7 +36,7 @@ CountDecision::CountDecision(const CountDecisionParams& params) : params_(params
                 "relative_support must be in [0, 1]", params.relative_support);
   core::require(params.clutter_regulariser > 0.0, "clutter_regulariser must be > 0",
                 params.clutter_regulariser);
-  core::require(params.foreign_echo <= 0.0, "foreign_echo must be <= 0", params.foreign_echo);
+  core::require(params.foreign_return <= 0.0, "foreign_return must be <= 0", params.foreign_return);
   core::require(params.edge >= 0.0 && params.edge <= 0.5, "edge must be in [0, 0.5]", params.edge);
   core::require(params.targets_in_view > 0.0, "targets_in_view must be > 0", params.targets_in_view);
   core::require(params.prior_speed > 0.0, "prior_speed must be > 0", params.prior_speed);
@@ -45,11 +46,11 @@ CountDecision::CountDecision(const CountDecisionParams& params) : params_(params
 void CountDecision::prepare(const HoughWindow& window) {
   num_beams_ = window.sonar().num_beams;
   reported_.assign(window.scans().size() * static_cast<std::size_t>(num_beams_), -1);
-  for (std::size_t k = 0; k < window.samples().size(); ++k) {
-    const auto& sample = window.samples()[k];
-    if (sample.beam < 0 || sample.beam >= num_beams_) continue;
-    const auto row = static_cast<std::size_t>(sample.scan) * static_cast<std::size_t>(num_beams_);
-    reported_[row + static_cast<std::size_t>(sample.beam)] = static_cast<int>(k);
+  for (std::size_t k = 0; k < window.detections().size(); ++k) {
+    const auto& detection = window.detections()[k];
+    if (detection.beam < 0 || detection.beam >= num_beams_) continue;
+    const auto row = static_cast<std::size_t>(detection.scan) * static_cast<std::size_t>(num_beams_);
+    reported_[row + static_cast<std::size_t>(detection.beam)] = static_cast<int>(k);
   }
 }
 
@@ -66,11 +67,11 @@ double CountDecision::log_evidence(const Candidate& candidate, const HoughWindow
   for (std::size_t s = 0; s < window.scans().size(); ++s) {
     if (!views[s].visible) continue;
     if (candidate.own[s] < 0) {
-      sum += unseen(window, s, views[s].point, free, rates);
+      sum += without_detection(window, s, views[s].point, free, rates);
       continue;
     }
-    const auto& sample = window.samples()[static_cast<std::size_t>(candidate.own[s])];
-    sum += rates.detection + log_echo_density(sample, candidate.position(sample.time - epoch));
+    const auto& detection = window.detections()[static_cast<std::size_t>(candidate.own[s])];
+    sum += rates.detection + log_detection_density(detection, candidate.position(detection.time - epoch));
   }
   return sum;
 }
@@ -96,9 +97,11 @@ CountDecision::Rates CountDecision::rates(const Candidate& candidate, const Houg
           std::log1p(-p_detection) - (sonar.point_sensor() ? 0.0 : std::log1p(-p_false))};
 }
 
-/// What a scan without an own echo says: of the target's beam and, near its edge, of the one next door.
-double CountDecision::unseen(const HoughWindow& window, std::size_t scan, const core::SonarPoint& point,
-                             const std::vector<char>& free, const Rates& rates) const {
+/// Evidence [nats] of a scan without a detection of the candidate's own: from its beam and, where it is near
+/// the beam's edge, from the neighbouring beam, whichever speaks more for a target.
+double CountDecision::without_detection(const HoughWindow& window, std::size_t scan,
+                                        const core::SonarPoint& point, const std::vector<char>& free,
+                                        const Rates& rates) const {
   const auto& sonar = window.sonar();
   if (sonar.point_sensor()) return rates.miss;
   const double term = beam_term(window, scan, point.beam, point.range, free, rates);
@@ -114,9 +117,9 @@ double CountDecision::beam_term(const HoughWindow& window, std::size_t scan, int
       reported_[scan * static_cast<std::size_t>(num_beams_) + static_cast<std::size_t>(beam)];
   if (reported < 0) return rates.silence;
   const auto index = static_cast<std::size_t>(reported);
-  // A nearer target owns the beam that it shares: the scan then says nothing of this one.
-  if (!free[index] && window.samples()[index].range < range) return 0.0;
-  return params_.foreign_echo;
+  // A nearer target that is accepted already owns the beam: the scan says nothing of this candidate.
+  if (!free[index] && window.detections()[index].range < range) return 0.0;
+  return params_.foreign_return;
 }
 
 /// ln of prior density x (2 pi)^2 sqrt(det C), the volume that the fit leaves to the state.

@@ -10,19 +10,19 @@ namespace lookout::csht {
 
 /// When a candidate is a target, and what its evidence takes for granted.
 struct CountDecisionParams {
-  double min_evidence = 0.5;         ///< Log evidence that a new target needs.
-  double offered_evidence = -3.0;    ///< The same of a candidate that a confirmed track offered.
-  int min_support = 3;               ///< Own scans that a new target needs, > 0.
-  int offered_support = 3;           ///< The same of an offered one, > 0.
-  double relative_support = 0.36;    ///< Own scans in shares of the best target's, in [0, 1]; 0 where targets
-                                     ///< enter and leave, for it assumes that all are there throughout.
-  double clutter_regulariser = 4.0;  ///< Samples added to the clutter count, so that an empty sea has a rate,
+  double min_evidence = 0.5;       ///< Log evidence that a new target needs.
+  double offered_evidence = -3.0;  ///< The same of a candidate that a confirmed track offered.
+  int min_support = 3;             ///< Scans with a detection of its own that a new target needs, > 0.
+  int offered_support = 3;         ///< The same of an offered one, > 0.
+  double relative_support = 0.36;  ///< Such scans as a share of the best target's, in [0, 1]; 0 where targets
+                                   ///< enter and leave, for it assumes that all are there throughout.
+  double clutter_regulariser = 4.0;  ///< Detections added to the clutter count, so that its rate is never 0,
                                      ///< > 0.
-  double foreign_echo = -3.0;        ///< Log likelihood ratio of another range in the target's beam, <= 0.
-  double edge = 0.1;  ///< So near to its beam's edge [beams] the echo may lie next door, in [0, .5].
+  double foreign_return = -3.0;      ///< Log likelihood ratio of another range in the target's beam, <= 0.
+  double edge = 0.1;  ///< Nearer to its beam's edge [beams] a target may appear in the neighbour, in [0, .5].
   double targets_in_view = 2.0;  ///< Prior mean number of targets in the field of view, > 0.
-  double prior_speed = 5.0;      ///< Their speeds are spread over a disc of this radius [m/s], > 0.
-  double velocity_sigma = 0.0;   ///< Above 0: normal instead, with this deviation on each axis [m/s], as in
+  double prior_speed = 5.0;      ///< Their velocities fill a disc of this radius evenly [m/s], > 0.
+  double velocity_sigma = 0.0;   ///< Above 0: velocities are normal with this deviation [m/s], as in
                                  ///< the fit; >= 0.
 };
 
@@ -38,7 +38,7 @@ class CountDecision {
 
   /// Log evidence of a refitted candidate: the likelihood ratio of its scans at the fit, integrated over the
   /// state (Laplace) and weighted with the prior density.
-  /// @param free per sample whether no accepted target owns it; @param num_free how many are.
+  /// @param free per detection whether no accepted target owns it; @param num_free how many are.
   double log_evidence(const Candidate& candidate, const HoughWindow& window, double epoch,
                       const std::vector<char>& free, int num_free) const;
 
@@ -61,8 +61,8 @@ class CountDecision {
   };
   View view(const Candidate& candidate, const HoughWindow& window, std::size_t scan, double epoch) const;
   Rates rates(const Candidate& candidate, const HoughWindow& window, int in_view, int num_free) const;
-  double unseen(const HoughWindow& window, std::size_t scan, const core::SonarPoint& point,
-                const std::vector<char>& free, const Rates& rates) const;
+  double without_detection(const HoughWindow& window, std::size_t scan, const core::SonarPoint& point,
+                           const std::vector<char>& free, const Rates& rates) const;
   double beam_term(const HoughWindow& window, std::size_t scan, int beam, double range,
                    const std::vector<char>& free, const Rates& rates) const;
   double log_prior_volume(const Candidate& candidate, const core::SonarParams& sonar) const;
@@ -70,7 +70,7 @@ class CountDecision {
   bool enough(const Candidate& candidate, int support, double evidence, int best_support) const;
 
   CountDecisionParams params_;
-  std::vector<int> reported_;  ///< Scans x beams: index of the beam's sample, -1 for silence.
+  std::vector<int> reported_;  ///< Scans x beams: index of the beam's detection, -1 for silence.
   int num_beams_ = 0;
 };
 

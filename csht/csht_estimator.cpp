@@ -25,7 +25,7 @@ CshtParams completed(CshtParams params, const core::SonarParams& sonar) {
 }
 
 HoughSpace make_space(const CshtParams& params, const core::SonarParams& sonar) {
-  return {csht_grid(params, sonar), params.votes, sonar.range_sigma, largest_sample_sigma(sonar)};
+  return {csht_grid(params, sonar), params.votes, sonar.range_sigma, largest_axis_sigma(sonar)};
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ void CshtEstimator::offer(const Explained& explained) {
   }
 }
 
-/// The votes of the newest scan come in, those of the forgotten one go: the rest stays where it is.
+/// Adds the votes of the newest scan and removes those of the forgotten one; no other vote is touched.
 void CshtEstimator::slide_votes() {
   for (const int axis : {0, 1}) {
     votes_[axis].remove(window_.forgotten_lines(axis));
@@ -77,7 +77,7 @@ void CshtEstimator::slide_votes() {
   }
 }
 
-/// Tracks hold at the scan before the newest; candidates at the epoch.
+/// The state of a track holds at the scan before the newest, that of a candidate at the epoch.
 void CshtEstimator::propose_offered() {
   const auto scans = window_.scans();
   if (scans.size() < 2) return;

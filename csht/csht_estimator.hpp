@@ -20,8 +20,8 @@ struct VoteSnapshot {
 };
 
 /// The clustering statistic Hough transform, done well: [Yan2018] section III with both axes as first axis,
-/// a refit in four dimensions, ownership of samples, a count decided after both axes, and passes over what is
-/// not explained yet. It knows the sensor's accuracy and geometry, not its probabilities.
+/// a refit in four dimensions, ownership of detections, a count decided after both axes, and passes over what
+/// is not explained yet. It knows the sensor's accuracy and geometry, not its probabilities.
 class CshtEstimator : public MotionEstimator {
  public:
   /// @throws std::invalid_argument on a parameter out of range.
@@ -54,8 +54,8 @@ class CshtEstimator : public MotionEstimator {
 
   CshtParams params_;
   HoughWindow window_;
-  HoughSpace votes_[2];    ///< Of all samples, kept from scan to scan.
-  HoughSpace free_votes_;  ///< Of the samples without an owner.
+  HoughSpace votes_[2];    ///< Of all detections, kept from scan to scan.
+  HoughSpace free_votes_;  ///< Of the detections without an owner.
   LineClasses classes_;
   SpatialCorrelation correlation_;
   std::vector<Candidate> candidates_;

@@ -44,7 +44,7 @@ HoughGrid csht_grid(const CshtParams& params, const core::SonarParams& sonar) {
   return grid;
 }
 
-double largest_sample_sigma(const core::SonarParams& sonar) {
+double largest_axis_sigma(const core::SonarParams& sonar) {
   return std::max(sonar.range_sigma, sonar.max_range * sonar.bearing_sigma_or_default());
 }
 

@@ -15,12 +15,12 @@ namespace lookout::csht {
 struct CshtParams {
   int window_scans = 20;         ///< W, 3 to kMaxWindowScans. [Yan2018] section V.
   int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
-  int passes = 3;                ///< Searches of what is not explained yet at most, > 0.
+  int passes = 3;                ///< Most searches, each among the detections without an owner, > 0.
   double intercept_step = 0.5;   ///< Of the grid, in the range sigma, > 0.
   double velocity_step = 0.7;    ///< Of the grid, in range sigma / half the window's duration, > 0.
   double cross_floor = 0.2;      ///< Added to the error across the line of sight [m], >= 0.
-  double top_speed = 4.0 / 3.0;  ///< Fastest fit, in the sensor's max_speed (that of one axis), > 0.
-  double speed_prior = 0.0;  ///< Standard deviation of a target's velocity on each axis before it is heard,
+  double top_speed = 4.0 / 3.0;  ///< Fastest fit, in the sensor's max_speed (the limit of one axis), > 0.
+  double speed_prior = 0.0;  ///< Standard deviation of a target's velocity on each axis before any detection,
                              ///< in the sensor's max_speed; 0: no prior in the fit.
   VoteParams votes;
   LineClassesParams classes;             ///< How cells become classes of lines.
@@ -39,7 +39,7 @@ struct CshtParams {
 /// @throws std::invalid_argument where that takes more memory than a vehicle computer has.
 HoughGrid csht_grid(const CshtParams& params, const core::SonarParams& sonar);
 
-/// Largest standard deviation of a sample along an axis [m], at the sonar's range limit.
-double largest_sample_sigma(const core::SonarParams& sonar);
+/// Largest standard deviation of a detection along an axis [m], at the sonar's range limit.
+double largest_axis_sigma(const core::SonarParams& sonar);
 
 }  // namespace lookout::csht

@@ -29,7 +29,7 @@ class FuzzyIsodata {
   /// @throws std::invalid_argument on a parameter out of range.
   explicit FuzzyIsodata(const FuzzyIsodataParams& params);
 
-  /// Clusters `points` from the centres `first` (at least one of each, else nothing comes back).
+  /// Clusters `points` from the centres `first`; without a point or a centre there are no patterns.
   /// @return the centres of the patterns; valid until the next call.
   std::span<const FeaturePoint> cluster(const WeightedPoints& points, std::span<const FeaturePoint> first);
 

@@ -146,7 +146,7 @@ std::span<const PatternStatistics> FuzzyPartition::statistics(const WeightedPoin
       sums[4] += share * (y - centres[i].y).square();
     }
   }
-  // Eq. (27) divides by N - 1; with less than two samples' weight that would blow up.
+  // Eq. (27) divides by N - 1, which fails for a weight of less than two points.
   const double degrees = std::max(points.total_weight() - 1.0, 1.0);
   statistics_.resize(centres.size());
   for (std::size_t i = 0; i < centres.size(); ++i) {

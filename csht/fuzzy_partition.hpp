@@ -13,8 +13,8 @@ struct FeaturePoint {
   float y = 0.0F;  ///< Second feature [grid steps].
 };
 
-/// Points with weights, one weighted sample per cell of the vote matrix: the v'_ij equal samples of [Yan2018]
-/// Eq. (18)-(20). Stored by component and padded with points of no weight to whole blocks.
+/// Points with weights, one for each cell of the vote matrix: it stands for the v'_ij equal sampling points
+/// of [Yan2018] Eq. (18)-(20). Stored by component and padded with points of no weight to whole blocks.
 class WeightedPoints {
  public:
   static constexpr int kBlock = 16;  ///< Points that are worked on together.
@@ -48,7 +48,7 @@ class WeightedPoints {
 struct PatternStatistics {
   double membership = 0.0;       ///< Sum of memberships, of [Yan2018] Eq. (24).
   double core_membership = 0.0;  ///< Q_i, sum of the memberships above theta. Eq. (31).
-  double core_count = 0.0;       ///< T_i, how many samples have one. Eq. (33).
+  double core_count = 0.0;       ///< T_i, the weight of the points that have one. Eq. (33).
   double deviation[2] = {0, 0};  ///< S_ij along x and y [grid steps]. Eq. (27).
 
   double aggregation() const { return core_count > 0.0 ? core_membership / core_count : 0.0; }  ///< C_i.

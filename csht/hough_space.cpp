@@ -28,14 +28,15 @@ VoteKernel make_kernel(const HoughGrid& grid, const VoteParams& params, double m
 
 constexpr int kLanes = VoteKernel::kLanes;
 
-/// The largest whole number at or below `value`, for |value| < 2^36; std::floor is a call here.
+/// The largest whole number at or below `value`, for |value| < 2^36; std::floor is a function call without
+/// SSE4.
 std::int64_t round_down(double value) {
   constexpr std::int64_t kOffset = std::int64_t{1} << 36;
   return static_cast<std::int64_t>(value + static_cast<double>(kOffset)) - kOffset;
 }
 
 /// Calls `block(first, k)` for the kLanes cells from `first` on that take the values from k on, or `cell` one
-/// by one where the footprint crosses the ring's seam.
+/// by one where the footprint crosses the end of the ring.
 template <typename Block, typename Cell>
 void over_cells(int column, int length, int columns, Block block, Cell cell) {
   if (column + length <= columns) {
@@ -58,7 +59,7 @@ void raise_block(std::int16_t* __restrict cells, const std::int16_t* __restrict 
   for (int k = 0; k < kLanes; ++k) cells[k] = std::max(cells[k], values[k]);
 }
 
-/// Moves the layer's votes to the matrix; cells visited again have none left.
+/// Moves the layer's votes to the matrix. A cell under two footprints is moved once: its layer is empty then.
 void transfer_block(std::int16_t* __restrict cells, std::int16_t* __restrict layer, std::int16_t sign) {
   add_block(cells, layer, sign);
   std::fill_n(layer, kLanes, std::int16_t{0});

@@ -17,19 +17,19 @@ struct HoughGrid {
   double extent = 400.0;        ///< Intercepts that must be told apart span at most this [m], > 0.
 };
 
-/// How a sample votes.
+/// How a line sample votes.
 struct VoteParams {
-  bool fuzzy = true;            ///< A Gaussian as wide as the sample's error; else one whole cell.
-  double width = 1.0;           ///< Of the Gaussian, in the sample's own sigma, > 0.
+  bool fuzzy = true;            ///< A Gaussian as wide as the line sample's error; else one whole cell.
+  double width = 1.0;           ///< Of the Gaussian, in the line sample's own sigma, > 0.
   double min_width = 0.35;      ///< Narrowest Gaussian, in the range sigma, > 0.
-  bool one_vote_a_scan = true;  ///< The samples of a scan give a cell their maximum, not their sum.
+  bool one_vote_a_scan = true;  ///< The line samples of a scan give a cell their maximum, not their sum.
 };
 
 /// A cell with its votes.
 struct VoteCell {
   double velocity = 0.0;   ///< [m/s].
   double intercept = 0.0;  ///< At the reference time asked for [m].
-  double votes = 0.0;      ///< Weight of the votes, 1 a sample at its best.
+  double votes = 0.0;      ///< Sum of the votes; a line sample gives at most 1.
 };
 
 /// What the vote matrix holds as a whole.
@@ -47,14 +47,15 @@ struct VoteStatistics {
 /// are whole numbers (vote_kernel.hpp): after removing what was added the matrix is what it was, bit for bit.
 class HoughSpace {
  public:
-  /// @param sigmas smallest and largest sigma of a sample [m] that the fuzzy votes tell apart.
+  /// @param range_sigma, max_sigma smallest and largest sigma of a line sample [m] that fuzzy votes tell
+  /// apart.
   /// @throws std::invalid_argument on a grid or votes out of range.
   HoughSpace(const HoughGrid& grid, const VoteParams& params, double range_sigma, double max_sigma);
 
   void clear();  ///< Takes all votes back and keeps the memory.
-  /// Adds the votes of samples, those of one scan in a row (at most 120 scans in all).
+  /// Adds the votes of line samples; those of one scan must stand together (at most 120 scans in all).
   void add(std::span<const LineSample> samples) { vote(samples, +1); }
-  /// Takes votes back: the samples of whole scans, as they were added.
+  /// Takes votes back: the line samples of whole scans, as they were added.
   void remove(std::span<const LineSample> samples) { vote(samples, -1); }
 
   /// Over all cells. [Yan2018] Eq. (17).

@@ -14,9 +14,9 @@ HoughWindow::HoughWindow(int window_scans, const core::SonarParams& sonar, doubl
   core::require(cross_floor >= 0.0, "cross_floor must be >= 0", cross_floor);
   const auto returns = static_cast<std::size_t>(sonar.num_beams);
   scans_.reserve(static_cast<std::size_t>(window_scans));
-  samples_.reserve(returns * static_cast<std::size_t>(window_scans));
-  detections_.reserve(returns);
-  for (auto& line : lines_) line.reserve(samples_.capacity());
+  detections_.reserve(returns * static_cast<std::size_t>(window_scans));
+  newest_.reserve(returns);
+  for (auto& line : lines_) line.reserve(detections_.capacity());
   for (auto& line : forgotten_) line.reserve(returns);
 }
 
@@ -27,52 +27,52 @@ void HoughWindow::add(const core::PosedScan& posed) {
   if (full()) forget_oldest();
   sonar_ = core::with_geometry_of(posed.scan, sonar_);
   const int index = static_cast<int>(scans_.size());
-  scan_to_detections(posed, index, detections_);
+  scan_to_detections(posed, index, newest_);
   const double time = core::seconds(posed.scan.utime - anchor_);
-  scans_.push_back({posed.scan.utime, time, posed.T_earth_sonar, static_cast<int>(samples_.size()),
-                    static_cast<int>(detections_.size())});
-  for (const auto& detection : detections_) {
-    const WindowSample sample = sample_of(detection, time);
-    samples_.push_back(sample);
+  scans_.push_back({posed.scan.utime, time, posed.T_earth_sonar, static_cast<int>(detections_.size()),
+                    static_cast<int>(newest_.size())});
+  for (const auto& detection : newest_) {
+    const WindowDetection own = with_accuracy(detection, time);
+    detections_.push_back(own);
     for (int axis = 0; axis < 2; ++axis) {
-      const double along = sample.line_of_sight[axis], across = sample.line_of_sight[1 - axis];
+      const double along = own.line_of_sight[axis], across = own.line_of_sight[1 - axis];
       const double sigma =
-          std::sqrt(along * along * sample.range_variance + across * across * sample.cross_variance);
-      lines_[axis].push_back({scan_count_, time, sample.p_earth[axis], sigma});
+          std::sqrt(along * along * own.range_variance + across * across * own.cross_variance);
+      lines_[axis].push_back({scan_count_, time, own.p_earth[axis], sigma});
     }
   }
   ++scan_count_;
 }
 
 void HoughWindow::forget_oldest() {
-  const int gone = scans_.front().num_samples;
+  const int gone = scans_.front().num_detections;
   for (int axis = 0; axis < 2; ++axis) {
     forgotten_[axis].assign(lines_[axis].begin(), lines_[axis].begin() + gone);
     lines_[axis].erase(lines_[axis].begin(), lines_[axis].begin() + gone);
   }
-  samples_.erase(samples_.begin(), samples_.begin() + gone);
+  detections_.erase(detections_.begin(), detections_.begin() + gone);
   scans_.erase(scans_.begin());
-  for (auto& scan : scans_) scan.first_sample -= gone;
-  for (auto& sample : samples_) --sample.scan;
+  for (auto& scan : scans_) scan.first_detection -= gone;
+  for (auto& detection : detections_) --detection.scan;
 }
 
-WindowSample HoughWindow::sample_of(const core::Detection& detection, double time) const {
+WindowDetection HoughWindow::with_accuracy(const core::Detection& detection, double time) const {
   const double cross = detection.range * sonar_.bearing_sigma_or_default();
-  WindowSample sample;
-  sample.scan = detection.scan;
-  sample.beam = detection.beam;
-  sample.time = time;
-  sample.range = detection.range;
-  sample.p_earth = detection.p_earth;
-  sample.line_of_sight = {std::cos(detection.azimuth), std::sin(detection.azimuth)};
-  sample.range_variance = sonar_.range_sigma * sonar_.range_sigma;
-  sample.cross_variance = cross * cross + cross_floor_ * cross_floor_;
-  return sample;
+  WindowDetection result;
+  result.scan = detection.scan;
+  result.beam = detection.beam;
+  result.time = time;
+  result.range = detection.range;
+  result.p_earth = detection.p_earth;
+  result.line_of_sight = {std::cos(detection.azimuth), std::sin(detection.azimuth)};
+  result.range_variance = sonar_.range_sigma * sonar_.range_sigma;
+  result.cross_variance = cross * cross + cross_floor_ * cross_floor_;
+  return result;
 }
 
 std::span<const LineSample> HoughWindow::newest_lines(int axis) const {
   if (scans_.empty()) return {};
-  return lines(axis).last(static_cast<std::size_t>(scans_.back().num_samples));
+  return lines(axis).last(static_cast<std::size_t>(scans_.back().num_detections));
 }
 
 double HoughWindow::centre_time() const {

@@ -17,12 +17,12 @@ struct WindowScan {
   std::int64_t utime = 0;     ///< [us].
   double time = 0.0;          ///< Since the window's anchor [s].
   core::Pose2 T_earth_sonar;  ///< Pose of the sonar.
-  int first_sample = 0;       ///< Of its samples in `HoughWindow::samples()`.
-  int num_samples = 0;        ///< How many samples it has; 0 of an empty scan.
+  int first_detection = 0;    ///< Index of its first detection in `HoughWindow::detections()`.
+  int num_detections = 0;     ///< How many detections it has; 0 of an empty scan.
 };
 
 /// A detection of the window with the accuracy of its sensor.
-struct WindowSample {
+struct WindowDetection {
   int scan = 0;                         ///< Index in `HoughWindow::scans()`.
   int beam = 0;                         ///< Beam that reported it.
   double time = 0.0;                    ///< Since the window's anchor [s].
@@ -32,7 +32,7 @@ struct WindowSample {
   double range_variance = 1.0;          ///< Along the line of sight [m^2].
   double cross_variance = 1.0;          ///< Across it [m^2].
 
-  /// Squared distance of the earth-frame offset to the sample, in units of the error plus `slack` [m].
+  /// Squared distance of the earth-frame offset to the detection, in units of the error plus `slack` [m].
   double distance(const Eigen::Vector2d& offset, double slack = 0.0) const {
     const double along = offset.dot(line_of_sight);
     const double across = line_of_sight.x() * offset.y() - line_of_sight.y() * offset.x();
@@ -54,13 +54,13 @@ class HoughWindow {
 
   /// Whether the next scan pushes the oldest out.
   bool full() const { return static_cast<int>(scans_.size()) == window_scans_; }
-  std::span<const WindowScan> scans() const { return scans_; }        ///< The oldest first.
-  std::span<const WindowSample> samples() const { return samples_; }  ///< In the order of the scans.
-  /// The samples' coordinate 0 (north) or 1 (east), in the order of `samples()`.
+  std::span<const WindowScan> scans() const { return scans_; }                 ///< The oldest first.
+  std::span<const WindowDetection> detections() const { return detections_; }  ///< In the order of the scans.
+  /// The line samples of axis 0 (north) or 1 (east), one a detection in the order of `detections()`.
   std::span<const LineSample> lines(int axis) const { return lines_[axis]; }
-  /// Of the scan that the last `add` forgot; empty where none was.
+  /// The line samples of the scan that the last `add` forgot; empty where none was.
   std::span<const LineSample> forgotten_lines(int axis) const { return forgotten_[axis]; }
-  /// Of the newest scan.
+  /// The line samples of the newest scan.
   std::span<const LineSample> newest_lines(int axis) const;
 
   const core::SonarParams& sonar() const { return sonar_; }  ///< With the newest scan's geometry.
@@ -68,7 +68,7 @@ class HoughWindow {
 
  private:
   void forget_oldest();
-  WindowSample sample_of(const core::Detection& detection, double time) const;
+  WindowDetection with_accuracy(const core::Detection& detection, double time) const;
 
   int window_scans_;
   core::SonarParams sonar_;
@@ -76,9 +76,9 @@ class HoughWindow {
   std::int64_t anchor_ = 0;
   bool anchored_ = false;
   std::int64_t scan_count_ = 0;
-  std::vector<core::Detection> detections_;
+  std::vector<core::Detection> newest_;  ///< Of the scan that is added.
   std::vector<WindowScan> scans_;
-  std::vector<WindowSample> samples_;
+  std::vector<WindowDetection> detections_;
   std::vector<LineSample> lines_[2];
   std::vector<LineSample> forgotten_[2];
 };

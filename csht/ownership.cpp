@@ -9,7 +9,7 @@ Ownership::Ownership(const RefitParams& refit, const CountDecisionParams& decisi
 
 void Ownership::start(const HoughWindow& window, double epoch) {
   epoch_ = epoch;
-  free_.assign(window.samples().size(), 1);
+  free_.assign(window.detections().size(), 1);
   num_free_ = static_cast<int>(free_.size());
   best_support_ = 0;
   accepted_.clear();
@@ -26,7 +26,7 @@ int Ownership::accept(std::vector<Candidate>& candidates, const HoughWindow& win
     accepted_.push_back(*winner);
     accepted_.back().offered = !decision_.accepts_as_new(*winner, best_support_);
     best_support_ = std::max(best_support_, winner->support);
-    take_samples(accepted_.back());
+    take_detections(accepted_.back());
     refit_touched(candidates, window);
     ++count;
   }
@@ -50,17 +50,17 @@ const Candidate* Ownership::best(const std::vector<Candidate>& candidates) const
   return winner;
 }
 
-void Ownership::take_samples(const Candidate& candidate) {
-  for (const int sample : candidate.own) {
-    if (sample >= 0) free_[static_cast<std::size_t>(sample)] = 0;
+void Ownership::take_detections(const Candidate& candidate) {
+  for (const int detection : candidate.own) {
+    if (detection >= 0) free_[static_cast<std::size_t>(detection)] = 0;
   }
   num_free_ -= candidate.support;
 }
 
 void Ownership::refit_touched(std::vector<Candidate>& candidates, const HoughWindow& window) {
   std::erase_if(candidates, [&](Candidate& candidate) {
-    const bool touched = std::any_of(candidate.own.begin(), candidate.own.end(), [&](int sample) {
-      return sample >= 0 && !free_[static_cast<std::size_t>(sample)];
+    const bool touched = std::any_of(candidate.own.begin(), candidate.own.end(), [&](int detection) {
+      return detection >= 0 && !free_[static_cast<std::size_t>(detection)];
     });
     return touched && !refit_.fit(candidate, window, epoch_, free_);
   });

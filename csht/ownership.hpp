@@ -10,14 +10,15 @@
 
 namespace lookout::csht {
 
-/// Gives every sample at most one owner: the best candidate is accepted first and takes its samples away,
-/// those that shared them are fitted again to what is left. This merges duplicates and resolves crossings.
+/// Gives every detection at most one owner: the best candidate is accepted first and takes its detections
+/// away, those that shared them are fitted again to what is left. This merges duplicates and resolves
+/// crossings.
 class Ownership {
  public:
   /// @throws std::invalid_argument on a parameter out of range.
   Ownership(const RefitParams& refit, const CountDecisionParams& decision);
 
-  /// Forgets the targets; all samples of the window are free.
+  /// Forgets the targets; all detections of the window are free.
   void start(const HoughWindow& window, double epoch);
 
   /// Refits the candidates and accepts them, the best first, until none is good enough. Overwrites them.
@@ -26,14 +27,14 @@ class Ownership {
 
   /// In the order of acceptance; valid until the next `start`.
   std::span<const Candidate> accepted() const { return accepted_; }
-  const std::vector<char>& free() const { return free_; }  ///< Per sample of the window.
+  const std::vector<char>& free() const { return free_; }  ///< Per detection of the window.
 
  private:
   void refit_all(std::vector<Candidate>& candidates, const HoughWindow& window);
   void score_all(std::vector<Candidate>& candidates, const HoughWindow& window) const;
   /// The acceptable candidate with the most evidence; null where there is none.
   const Candidate* best(const std::vector<Candidate>& candidates) const;
-  void take_samples(const Candidate& candidate);
+  void take_detections(const Candidate& candidate);
   void refit_touched(std::vector<Candidate>& candidates, const HoughWindow& window);
 
   Refit refit_;

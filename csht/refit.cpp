@@ -18,7 +18,7 @@ Refit::Refit(const RefitParams& params) : params_(params) {
 bool Refit::fit(Candidate& candidate, const HoughWindow& window, double epoch,
                 const std::vector<char>& free) const {
   for (const double slack : params_.slack) {
-    choose_samples(candidate, window, epoch, free, slack);
+    choose_detections(candidate, window, epoch, free, slack);
     if (candidate.support < params_.min_support ||
         !least_squares(candidate, window, epoch, params_.velocity_sigma))
       return false;
@@ -26,19 +26,19 @@ bool Refit::fit(Candidate& candidate, const HoughWindow& window, double epoch,
   return candidate.state.tail<2>().norm() <= params_.max_speed;
 }
 
-void Refit::choose_samples(Candidate& candidate, const HoughWindow& window, double epoch,
-                           const std::vector<char>& free, double slack) const {
-  const auto samples = window.samples();
+void Refit::choose_detections(Candidate& candidate, const HoughWindow& window, double epoch,
+                              const std::vector<char>& free, double slack) const {
+  const auto detections = window.detections();
   candidate.support = 0;
   for (std::size_t s = 0; s < window.scans().size(); ++s) {
     const auto& scan = window.scans()[s];
     const Eigen::Vector2d p_earth = candidate.position(scan.time - epoch);
     double nearest = params_.gate;
     candidate.own[s] = -1;
-    for (int k = scan.first_sample; k < scan.first_sample + scan.num_samples; ++k) {
+    for (int k = scan.first_detection; k < scan.first_detection + scan.num_detections; ++k) {
       const auto index = static_cast<std::size_t>(k);
       if (!free[index]) continue;
-      const double distance = samples[index].distance(samples[index].p_earth - p_earth, slack);
+      const double distance = detections[index].distance(detections[index].p_earth - p_earth, slack);
       if (distance >= nearest) continue;
       nearest = distance;
       candidate.own[s] = k;
@@ -52,15 +52,15 @@ bool least_squares(Candidate& candidate, const HoughWindow& window, double epoch
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
   for (std::size_t s = 0; s < window.scans().size(); ++s) {
     if (candidate.own[s] < 0) continue;
-    const auto& sample = window.samples()[static_cast<std::size_t>(candidate.own[s])];
-    const Eigen::Vector2d u = sample.line_of_sight, w(-u.y(), u.x());
+    const auto& detection = window.detections()[static_cast<std::size_t>(candidate.own[s])];
+    const Eigen::Vector2d u = detection.line_of_sight, w(-u.y(), u.x());
     const Eigen::Matrix2d weight =
-        u * u.transpose() / sample.range_variance + w * w.transpose() / sample.cross_variance;
-    const double t = sample.time - epoch;
+        u * u.transpose() / detection.range_variance + w * w.transpose() / detection.cross_variance;
+    const double t = detection.time - epoch;
     information.topLeftCorner<2, 2>() += weight;
     information.topRightCorner<2, 2>() += t * weight;
     information.bottomRightCorner<2, 2>() += t * t * weight;
-    const Eigen::Vector2d weighted = weight * sample.p_earth;
+    const Eigen::Vector2d weighted = weight * detection.p_earth;
     right.head<2>() += weighted;
     right.tail<2>() += t * weighted;
   }

@@ -9,16 +9,20 @@ int scan_to_detections(const core::PosedScan& posed, int scan_index,
   const core::SonarScan& scan = posed.scan;
   const Eigen::Vector2d p_earth_sonar(posed.T_earth_sonar.north, posed.T_earth_sonar.east);
   detections.clear();
-  for (const auto& echo : scan.returns) {
-    if (!std::isfinite(echo.bearing) || !(echo.range > 0.0 && echo.range <= scan.max_range)) continue;
+  for (const auto& sonar_return : scan.returns) {
+    if (!std::isfinite(sonar_return.bearing) ||
+        !(sonar_return.range > 0.0 && sonar_return.range <= scan.max_range))
+      continue;
     core::Detection detection;
     detection.utime = scan.utime;
     detection.scan = scan_index;
-    detection.beam = static_cast<int>(std::lround((echo.bearing - scan.first_bearing) / scan.bearing_step));
-    detection.range = echo.range;
-    detection.bearing = echo.bearing;
-    detection.azimuth = core::wrap_to_pi(posed.T_earth_sonar.heading + echo.bearing);
-    detection.p_earth = core::transform(posed.T_earth_sonar, core::from_polar(echo.range, echo.bearing));
+    detection.beam =
+        static_cast<int>(std::lround((sonar_return.bearing - scan.first_bearing) / scan.bearing_step));
+    detection.range = sonar_return.range;
+    detection.bearing = sonar_return.bearing;
+    detection.azimuth = core::wrap_to_pi(posed.T_earth_sonar.heading + sonar_return.bearing);
+    detection.p_earth =
+        core::transform(posed.T_earth_sonar, core::from_polar(sonar_return.range, sonar_return.bearing));
     detection.p_earth_sonar = p_earth_sonar;
     detections.push_back(detection);
   }

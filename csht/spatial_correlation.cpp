@@ -41,7 +41,7 @@ std::span<const Line> SpatialCorrelation::second_lines(const Line& first, std::s
   return lines_;
 }
 
-/// A coarse bearing can make a sample's error along the axis larger than the range sigma.
+/// A coarse bearing can make a line sample's error along the axis larger than the range sigma.
 double SpatialCorrelation::gate_of(const LineSample& sample) const {
   return params_.gate * std::max(range_sigma_, sample.sigma);
 }

@@ -9,9 +9,9 @@ namespace lookout::csht {
 /// Votes are whole numbers of 1 / kVoteUnit, so that adding and removing a scan is exact.
 inline constexpr int kVoteUnit = 256;
 
-/// How one sample votes in the cells of one row: `values[k]` for the k-th cell from `first` on.
+/// How one line sample votes in the cells of one row: `values[k]` for the k-th cell from `first` on.
 struct Footprint {
-  int first = 0;  ///< First cell, relative to the cell that holds the sample's intercept.
+  int first = 0;  ///< First cell, relative to the cell that holds the line sample's intercept.
   std::span<const std::int16_t> values;  ///< In units of 1/kVoteUnit vote; valid as long as the kernel.
 };
 

@@ -85,10 +85,10 @@ sonar_scan_t to_wire(const core::SonarScan& scan) {
   copy_header_to_wire(scan, wire);
   wire.max_range = scan.max_range;
   wire.num_returns = static_cast<std::int16_t>(scan.returns.size());
-  for (const auto& echo : scan.returns) {
-    wire.bearing.push_back(echo.bearing);
-    wire.range.push_back(echo.range);
-    wire.intensity.push_back(echo.intensity);
+  for (const auto& sonar_return : scan.returns) {
+    wire.bearing.push_back(sonar_return.bearing);
+    wire.range.push_back(sonar_return.range);
+    wire.intensity.push_back(sonar_return.intensity);
   }
   return wire;
 }

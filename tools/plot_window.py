@@ -96,13 +96,13 @@ def paths_by_id(rows):
 
 
 def plot_one_window(directory):
-    echoes, truth = rows_of(directory / "window_echoes.csv"), rows_of(directory / "window_truth.csv")
+    detections, truth = rows_of(directory / "window_detections.csv"), rows_of(directory / "window_truth.csv")
     methods = sorted(path.stem[len("window_"):] for path in directory.glob("window_*.csv")
-                     if path.stem not in ("window_echoes", "window_truth"))
+                     if path.stem not in ("window_detections", "window_truth"))
     figure, axes = plt.subplots(1, len(methods), sharex=True, sharey=True, figsize=(5 * len(methods), 5), squeeze=False)
     for axis, method in zip(axes[0], methods):
-        axis.scatter([float(r["east_m"]) for r in echoes], [float(r["north_m"]) for r in echoes], s=6,
-                     c=[float(r["time_s"]) for r in echoes], cmap="viridis")
+        axis.scatter([float(r["east_m"]) for r in detections], [float(r["north_m"]) for r in detections], s=6,
+                     c=[float(r["time_s"]) for r in detections], cmap="viridis")
         for path in paths_by_id(truth).values():
             axis.plot(*zip(*path), color="0.7", linewidth=6, alpha=0.6, solid_capstyle="round", zorder=0)
         for row in rows_of(directory / f"window_{method}.csv"):
@@ -130,12 +130,12 @@ def draw_trajectories(axis, rows, colour, seconds):
 
 def plot_joint_window(directory):
     """One literal window of the joint estimator: densities, hypotheses, and the elements that it reports."""
-    echoes, truth = rows_of(directory / "joint_echoes.csv"), rows_of(directory / "joint_truth.csv")
-    times = [float(row["time_s"]) for row in echoes]
+    detections, truth = rows_of(directory / "joint_detections.csv"), rows_of(directory / "joint_truth.csv")
+    times = [float(row["time_s"]) for row in detections]
     seconds = max(times) - min(times)
     figure, axes = plt.subplots(1, 2, sharex=True, sharey=True, figsize=(12, 6))
     for axis in axes:
-        axis.scatter([float(r["east_m"]) for r in echoes], [float(r["north_m"]) for r in echoes], s=4, c=times,
+        axis.scatter([float(r["east_m"]) for r in detections], [float(r["north_m"]) for r in detections], s=4, c=times,
                      cmap="Greys", vmin=min(times) - seconds)
         for path in paths_by_id(truth).values():
             axis.plot(*zip(*path), color="tab:green", linewidth=7, alpha=0.3, solid_capstyle="round", zorder=0)
@@ -148,7 +148,8 @@ def plot_joint_window(directory):
     axes[0].set_title("densities: the trajectories that stand for each hypothesis")
     axes[1].set_title("hypotheses (darker: likelier), elements (stars)")
     axes[0].set_ylabel("north [m]")
-    figure.suptitle("joint, one window of 20 scans, literal clutter, $P_F = P_M$ = 0.3 (green: targets; grey: echoes)")
+    figure.suptitle("joint, one window of 20 scans, literal clutter, $P_F = P_M$ = 0.3 "
+                    "(green: targets; grey: detections)")
     save(figure, directory / "joint_window.png")
 
 

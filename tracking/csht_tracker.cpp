@@ -15,7 +15,7 @@ CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParam
       book_(params.life),
       births_(std::move(births)),
       element_association_(params.element_gate),
-      sample_association_(chi_square_gate(params.gate_probability, 2)),
+      detection_association_(chi_square_gate(params.gate_probability, 2)),
       manoeuvre_(params.manoeuvre),
       smoother_(params.smoother) {
   params.motion.validate();
@@ -50,27 +50,29 @@ void CshtTracker::associate(const core::SonarParams& sonar) {
   }
   use_track_.assign(tracks.size(), 1);
   use_detection_.assign(detections_.size(), 1);
-  sample_association_.assign({tracks, detections_, use_track_, use_detection_}, sonar);
+  detection_association_.assign({tracks, detections_, use_track_, use_detection_}, sonar);
 }
 
 void CshtTracker::smooth(const core::SonarParams& sonar) {
   const auto tracks = book_.tracks();
-  const auto& sample_of_track = sample_association_.result();
+  const auto& detection_of_track = detection_association_.result();
   for (std::size_t i = 0; i < tracks.size(); ++i) {
-    const int sample = sample_of_track[i];
+    const int detection = detection_of_track[i];
     const int element = element_of_track_[i];
-    if (sample >= 0) watch(i, detections_[static_cast<std::size_t>(sample)], sonar);
+    if (detection >= 0) watch(i, detections_[static_cast<std::size_t>(detection)], sonar);
     smoother_.correct(tracks[i], book_.life(i).age(),
-                      sample < 0 ? nullptr : &detections_[static_cast<std::size_t>(sample)],
+                      detection < 0 ? nullptr : &detections_[static_cast<std::size_t>(detection)],
                       element < 0 ? nullptr : &elements_[static_cast<std::size_t>(element)], sonar);
     if (element >= 0) tracks[i].existence = elements_[static_cast<std::size_t>(element)].existence;
   }
 }
 
-/// A young trajectory follows the window: its innovations are not its filter's.
-void CshtTracker::watch(std::size_t track, const core::Detection& sample, const core::SonarParams& sonar) {
+/// A young track is set to the window's estimate at each scan, so that its innovations do not judge its
+/// filter.
+void CshtTracker::watch(std::size_t track, const core::Detection& detection, const core::SonarParams& sonar) {
   if (book_.life(track).age() < params_.smoother.young_scans) return;
-  manoeuvre_.notice(book_.tracks()[track], book_.drift(track), sample.p_earth, position_noise(sample, sonar));
+  manoeuvre_.notice(book_.tracks()[track], book_.drift(track), detection.p_earth,
+                    position_noise(detection, sonar));
 }
 
 void CshtTracker::begin_on_new_elements(const core::PosedScan& scan, const core::SonarParams& sonar) {
@@ -78,7 +80,7 @@ void CshtTracker::begin_on_new_elements(const core::PosedScan& scan, const core:
     const core::MotionElement& element = elements_[j];
     const bool is_new = !explained_[j] && !element.of_known_track;
     if (!is_new || element.existence < params_.min_existence) continue;
-    // What leaves the field of view before it was ever reported is not begun any more.
+    // A target that has left the field of view already begins no track.
     if (!core::observe(sonar, scan.T_earth_sonar, element.position).visible()) continue;
     book_.begin(scan.scan.utime, element.state(), element.covariance);
     book_.tracks().back().existence = element.existence;

@@ -9,7 +9,7 @@
 #include "tracking/association/global_nearest_neighbour.hpp"
 #include "tracking/association/track_to_element.hpp"
 #include "tracking/initiation/birth_method.hpp"
-#include "tracking/management/trajectory_book.hpp"
+#include "tracking/management/track_book.hpp"
 #include "tracking/smoothing/manoeuvre_detector.hpp"
 #include "tracking/smoothing/window_smoother.hpp"
 #include "tracking/tracker.hpp"
@@ -19,25 +19,25 @@ namespace lookout::tracking {
 /// The stages of the faithful tracker.
 struct CshtTrackerParams {
   ElementGate element_gate;         ///< See there.
-  double gate_probability = 0.999;  ///< Share of own echoes inside the sample gate, in (0, 1).
-  MotionModelParams motion{.acceleration_sigma = 0.005};  ///< Almost straight, until `manoeuvre`.
+  double gate_probability = 0.999;  ///< Share of a target's own detections inside the gate, in (0, 1).
+  MotionModelParams motion{.acceleration_sigma = 0.005};  ///< Almost straight: `manoeuvre` sees to the rest.
   ManoeuvreParams manoeuvre;                              ///< See there.
   WindowSmootherParams smoother;                          ///< See there.
-  TrackLifeParams life;        ///< Reported at once; drop rule min(5, 1 + .2 hits).
-  double min_existence = 0.5;  ///< Elements below it are false targets, in [0, 1].
+  TrackLifeParams life;        ///< Confirmed at once; at most min(5, 1 + .2 hits) misses.
+  double min_existence = 0.5;  ///< Elements below it begin no track, in [0, 1].
 };
 
 /// Tracking by motion elements, [Yan2018] Sec. IV and Fig. 6: scan -> estimator on the sliding window, with
-/// the known trajectories as extra candidates -> association (existing, new or false target) -> smoothing on
-/// the new scan, which corrects the next gate -> trajectory management -> motion states out.
+/// the known tracks as extra candidates -> association (existing, new or false target) -> smoothing on
+/// the new scan, which corrects the next gate -> track management -> motion states out.
 class CshtTracker : public Tracker {
  public:
-  /// @param births where trajectories begin in place of new elements; null: on new elements.
+  /// @param births what begins tracks in place of new elements; null: new elements begin them.
   /// @throws std::invalid_argument on a parameter out of range.
   CshtTracker(const CshtTrackerParams& params, const core::SonarParams& sonar,
               std::unique_ptr<BirthMethod> births = nullptr);
 
-  /// The known trajectories, as extra candidates of the estimator.
+  /// The known tracks, as extra candidates of the estimator.
   csht::Explained take(const core::PosedScan& /*scan*/) override { return {book_.tracks()}; }
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
@@ -47,17 +47,17 @@ class CshtTracker : public Tracker {
  private:
   void associate(const core::SonarParams& sonar);
   void smooth(const core::SonarParams& sonar);
-  void watch(std::size_t track, const core::Detection& sample, const core::SonarParams& sonar);
+  void watch(std::size_t track, const core::Detection& detection, const core::SonarParams& sonar);
   void begin_on_new_elements(const core::PosedScan& scan, const core::SonarParams& sonar);
 
   CshtTrackerParams params_;
   core::SonarParams sonar_;
-  TrajectoryBook book_;
+  TrackBook book_;
   std::unique_ptr<BirthMethod> births_;
   std::span<const core::MotionElement> elements_;
   std::vector<core::Detection> detections_;
   TrackToElement element_association_;
-  GlobalNearestNeighbour sample_association_;
+  GlobalNearestNeighbour detection_association_;
   std::vector<int> element_of_track_;
   std::vector<char> use_track_, use_detection_, supported_, explained_;
   ManoeuvreDetector manoeuvre_;

@@ -11,7 +11,7 @@
 namespace lookout::csht {
 namespace {
 
-/// The paper's votes: a whole one in the cell that holds the intercept, every sample for itself.
+/// The paper's votes: a whole one in the cell that holds the intercept, every line sample for itself.
 VoteParams plain_votes() {
   VoteParams votes;
   votes.fuzzy = false;
@@ -82,7 +82,7 @@ void CshtPrintedEstimator::spread_first_classes() {
   }
 }
 
-// [Yan2018] Eq. (41), every sample to the class whose north line is nearest, at the sample's own time.
+// [Yan2018] Eq. (41), every detection to the class whose north line is nearest, at the detection's own time.
 void CshtPrintedEstimator::correlate(std::span<const FeaturePoint> classes) {
   const double start = window_.scans().front().time;
   const auto north = window_.lines(0), east = window_.lines(1);

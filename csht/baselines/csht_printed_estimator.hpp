@@ -11,7 +11,7 @@
 
 namespace lookout::csht {
 
-/// The steps to the letter, for comparison. Where the paper gives no value, one set for all cells.
+/// Parameters of the printed algorithm. Where the paper gives no value, one value serves all cells.
 struct CshtPrintedParams {
   int window_scans = 20;         ///< W, 3 to kMaxWindowScans. [Yan2018] section V.
   int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
@@ -26,8 +26,8 @@ struct CshtPrintedParams {
 };
 
 /// The clustering statistic Hough transform as printed: raw votes in one cell each, intercepts at the start
-/// of the window, features in m and m/s as they are, every sample given to some target, no refit, no test of
-/// the count. [Yan2018] section III. Fitted to its scene it is a baseline, not a tool.
+/// of the window, features in m and m/s as they are, every detection given to some target, no refit, no test
+/// of the count. [Yan2018] section III. A baseline: its values fit the paper's scene alone.
 class CshtPrintedEstimator : public MotionEstimator {
  public:
   /// @throws std::invalid_argument on a parameter out of range.

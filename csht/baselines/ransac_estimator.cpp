@@ -96,7 +96,7 @@ std::span<const core::MotionElement> RansacEstimator::update(const core::PosedSc
   elements_.clear();
   if (window_.size() < static_cast<std::size_t>(params_.first_estimate_scans)) return elements_;
   std::vector<core::Detection> points;
-  for (const auto& echoes : window_) points.insert(points.end(), echoes.begin(), echoes.end());
+  for (const auto& detections : window_) points.insert(points.end(), detections.begin(), detections.end());
   for (int line = 0; line < params_.max_lines; ++line) {
     const auto inliers = best_line(points);
     if (inliers.empty()) break;
@@ -130,10 +130,10 @@ std::vector<std::size_t> RansacEstimator::best_line(const std::vector<core::Dete
 void RansacEstimator::report(const std::vector<core::Detection>& own) {
   Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();
   Eigen::Matrix2d sums = Eigen::Matrix2d::Zero();  // Columns north and east.
-  for (const auto& echo : own) {
-    const Eigen::Vector2d basis(1.0, core::seconds(echo.utime - newest_utime_));
+  for (const auto& detection : own) {
+    const Eigen::Vector2d basis(1.0, core::seconds(detection.utime - newest_utime_));
     normal += basis * basis.transpose();
-    sums += basis * echo.p_earth.transpose();
+    sums += basis * detection.p_earth.transpose();
   }
   const Eigen::LDLT<Eigen::Matrix2d> solver(normal);
   if (!(normal.determinant() > 1e-9)) return;

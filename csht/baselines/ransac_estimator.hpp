@@ -13,16 +13,17 @@ namespace lookout::csht {
 struct RansacParams {
   int window_scans = 20;         ///< Scans in a full window, >= 3. [Yan2018] W.
   int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
-  double threshold = 1.0;        ///< Farthest echo of a line, in range sigmas, > 0.
-  double support_share = 0.3;  ///< Least echoes of a line, as a share of the scans in the window, in (0, 1].
-  int min_support = 5;         ///< ... and at least this many, >= 3.
-  int max_lines = 20;          ///< Lines taken from a window, >= 1.
-  int max_draws = 500;         ///< Pairs of echoes drawn for a line, >= 1.
+  double threshold = 1.0;        ///< Farthest detection of a line, in range sigmas, > 0.
+  double support_share =
+      0.3;              ///< Least detections of a line, as a share of the scans in the window, in (0, 1].
+  int min_support = 5;  ///< ... and at least this many, >= 3.
+  int max_lines = 20;   ///< Lines taken from a window, >= 1.
+  int max_draws = 500;  ///< Pairs of detections drawn for a line, >= 1.
 };
 
-/// What somebody from outside would try first: MRPT's RANSAC takes one straight line after the other out of
-/// the echoes of the window in the plane, time plays no part in the search, and a regression over time along
-/// each line gives the motion. A baseline.
+/// The first thing that a newcomer to the problem would try: MRPT's RANSAC takes straight lines one by one
+/// from the detections of the window in the plane, time plays no part in the search, and a regression over
+/// time along each line gives the motion. A baseline.
 class RansacEstimator : public MotionEstimator {
  public:
   /// @throws std::invalid_argument showing the value that is out of range.

@@ -59,7 +59,7 @@ void ShtEstimator::find_peaks() {
   strongest_apart(cells_, north_votes_.grid(), params_.apart, params_.max_targets, peaks_);
 }
 
-/// The covariance is that of a cell, and of one sample about the line: the method has no other.
+/// The covariance is that of a cell, and of one detection about the line: the method gives no other.
 void ShtEstimator::report(const VoteCell& peak) {
   const Line north{peak.velocity, peak.intercept};
   const auto lines = correlation_.second_lines(north, window_.lines(0), window_.lines(1), epoch_,

@@ -16,12 +16,12 @@ struct ShtParams {
   int window_scans = 20;         ///< W, 3 to kMaxWindowScans. [Yan2018] section V.
   int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
   double threshold = 0.6;        ///< A peak has more than this share of the most votes, in (0, 1).
-  double apart = 3.0;    ///< Cells nearer than this to a stronger peak are that peak [grid steps], >= 0.
-  int max_targets = 50;  ///< Of the strongest, > 0.
+  double apart = 3.0;    ///< Cells nearer than this to a stronger peak belong to it [grid steps], >= 0.
+  int max_targets = 50;  ///< Most peaks that are targets, the strongest, > 0.
 };
 
 /// Standard Hough transform: each peak of the north vote matrix above a threshold is a target, its east line
-/// the strongest of the samples near it. [Yan2018] section V, "SHT".
+/// the strongest of the line samples near it. [Yan2018] section V, "SHT".
 class ShtEstimator : public MotionEstimator {
  public:
   /// @throws std::invalid_argument on a parameter out of range.

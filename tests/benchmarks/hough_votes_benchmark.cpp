@@ -16,12 +16,12 @@ namespace {
 
 constexpr int kWindowScans = 20;  // [Yan2018] section V
 
-/// Uniform echoes, as many a scan as literal clutter brings: 27 at P_F = .3, 63 at .7.
-std::vector<LineSample> random_samples(int num_scans, int echoes) {
+/// Uniform detections, as many a scan as literal clutter brings: 27 at P_F = .3, 63 at .7.
+std::vector<LineSample> random_samples(int num_scans, int detections) {
   core::Random random(1);
   std::vector<LineSample> samples;
   for (int scan = 0; scan < num_scans; ++scan)
-    for (int k = 0; k < echoes; ++k)
+    for (int k = 0; k < detections; ++k)
       samples.push_back({scan, 0.5 * scan, random.uniform(0.0, 150.0), random.uniform(1.0, 3.0)});
   return samples;
 }
@@ -128,19 +128,19 @@ BENCHMARK(scalar_loop)->Arg(4)->Arg(27)->Arg(63);
 /// The window slides by a scan: the newest in, the oldest out. Compare with fuzzy_votes, which votes anew.
 void sliding_votes(benchmark::State& state) {
   HoughSpace space = make_space({});
-  const auto echoes = static_cast<std::size_t>(state.range(0));
+  const auto detections = static_cast<std::size_t>(state.range(0));
   constexpr std::size_t kScans = 400;
-  const auto samples = random_samples(static_cast<int>(kScans), static_cast<int>(echoes));
+  const auto samples = random_samples(static_cast<int>(kScans), static_cast<int>(detections));
   const std::span<const LineSample> all(samples);
-  space.add(all.first(kWindowScans * echoes));
+  space.add(all.first(kWindowScans * detections));
   std::size_t scan = 0;
   for (auto _ : state) {
-    space.remove(all.subspan(scan % kScans * echoes, echoes));
-    space.add(all.subspan((scan + kWindowScans) % kScans * echoes, echoes));
+    space.remove(all.subspan(scan % kScans * detections, detections));
+    space.add(all.subspan((scan + kWindowScans) % kScans * detections, detections));
     ++scan;
     benchmark::DoNotOptimize(space);
   }
-  count_votes(state, 2 * echoes, space.rows());
+  count_votes(state, 2 * detections, space.rows());
 }
 BENCHMARK(sliding_votes)->Arg(4)->Arg(27)->Arg(63);
 

@@ -18,7 +18,7 @@ struct Fitted {
 
   Fitted(const std::vector<core::PosedScan>& scans, const testing::Course& course) {
     for (const auto& scan : scans) window.add(scan);
-    free.assign(window.samples().size(), 1);
+    free.assign(window.detections().size(), 1);
     candidate.state << course.at(window.centre_time()), course.velocity;
     EXPECT_TRUE(Refit({}).fit(candidate, window, window.centre_time(), free));
   }
@@ -49,7 +49,7 @@ TEST(CountDecision, MissesAndClutterWeakenTheEvidence) {
   EXPECT_LT(cluttered, clean);
 }
 
-// The same 20 echoes, once 100 m ahead, once 2 m ahead: there a metre across is 30 degrees, clutter is as
+// The same 20 detections, once 100 m ahead, once 2 m ahead: there a metre across is 30 degrees, clutter is as
 // dense on the ground as it is nowhere else, and the pile says little.
 TEST(CountDecision, APileBesideTheSonarIsWeakEvidence) {
   const testing::Course near{{2, 0}, {0, 0}}, far{{100, 0}, {0, 0}};
@@ -58,7 +58,8 @@ TEST(CountDecision, APileBesideTheSonarIsWeakEvidence) {
   EXPECT_LT(beside, ahead - 20.0);
 }
 
-// Five scans without an own echo: a foreign range in the target's beam speaks more against it than silence.
+// Five scans without an own detection: a foreign range in the target's beam speaks more against it than
+// silence.
 TEST(CountDecision, AForeignRangeInItsBeamSpeaksAgainstATarget) {
   auto silent = with_misses(0.0), foreign = with_misses(0.0);
   for (std::size_t k = 5; k < 10; ++k) {
@@ -99,7 +100,7 @@ TEST(CountDecision, AnOfferedCandidateIsNewOnlyOnItsOwnEvidence) {
   EXPECT_TRUE(decision.accepts_as_new(candidate, 0));
 }
 
-// .36 of 18 echoes are 6.5: six are too few beside such a target, seven are enough.
+// .36 of 18 detections are 6.5: six are too few beside such a target, seven are enough.
 TEST(CountDecision, SupportIsMeasuredAgainstTheBestTarget) {
   CountDecision decision({});
   Candidate candidate;

@@ -57,7 +57,7 @@ TEST(CshtEstimator, FindsNothingInAnEmptySea) {
 
 // Errors as the estimator believes them, 3 m along and a beam's share and the floor across, 100 windows: the
 // errors in units of the reported covariance, squared, average 4 (chi-square, 4 degrees; +-0.33 for 300
-// targets). The gate of chi-square 8 cuts 2 % of the echoes, those with the largest errors.
+// targets). The gate of chi-square 8 cuts 2 % of the detections, those with the largest errors.
 TEST(CshtEstimator, CovarianceIsConsistent) {
   double sum = 0.0;
   int count = 0;
@@ -110,7 +110,7 @@ TEST(CshtEstimator, DoesNotUseTheProbabilities) {
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_EQ(a[k].state(), b[k].state());
 }
 
-// Four echoes in 20 scans are too few for the tracking set's evidence; offered as a track they suffice.
+// Four detections in 20 scans are too few for the tracking set's evidence; offered as a track they suffice.
 TEST(CshtEstimator, AcceptsAnOfferedTrackOnLessEvidence) {
   auto scans = testing::scans_of({kCourses[0]});
   for (std::size_t k = 0; k < scans.size(); ++k)

@@ -21,7 +21,7 @@ TEST(CshtParams, TheGridFollowsTheSensorsAccuracy) {
   EXPECT_DOUBLE_EQ(grid.max_speed, 5.0);
 }
 
-// A sample 150 m to either side, the fastest target and the fastest vehicle over half a window each way.
+// A detection 150 m to either side, the fastest target and the fastest vehicle over half a window each way.
 TEST(CshtParams, TheGridHoldsWhatTheSonarSees) {
   core::SonarParams sonar;
   sonar.max_range = 150.0;
@@ -50,13 +50,13 @@ TEST(CshtParams, TheLargestErrorIsThatOfRangeOrOfTheBearingFarOut) {
   sonar.range_sigma = 3.0;
   sonar.bearing_step = std::numbers::pi / 180.0;
   sonar.max_range = 150.0;
-  EXPECT_DOUBLE_EQ(largest_sample_sigma(sonar), 3.0);
+  EXPECT_DOUBLE_EQ(largest_axis_sigma(sonar), 3.0);
   sonar.max_range = 1500.0;
-  EXPECT_NEAR(largest_sample_sigma(sonar), 1500.0 * std::numbers::pi / 180.0 / std::sqrt(12.0), 1e-9);
+  EXPECT_NEAR(largest_axis_sigma(sonar), 1500.0 * std::numbers::pi / 180.0 / std::sqrt(12.0), 1e-9);
 }
 
 // In a stream targets come and go: no share of the best one's support is asked, more evidence is, and the
-// first echoes, which leave the velocity open, meet a prior.
+// first detections, which leave the velocity open, meet a prior.
 TEST(CshtParams, TheStreamAsksForEvidenceInPlaceOfPresence) {
   const CshtParams window = CshtParams::window(), stream = CshtParams::tracking();
   EXPECT_GT(window.decision.relative_support, 0.0);

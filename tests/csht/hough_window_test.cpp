@@ -19,10 +19,10 @@ TEST(HoughWindow, KeepsTheLatestScansOldestFirst) {
   EXPECT_EQ(window.scans()[0].utime, 1'000'000);
   EXPECT_EQ(window.scans()[2].utime, 2'000'000);
   EXPECT_DOUBLE_EQ(window.centre_time(), 1.5);
-  ASSERT_EQ(window.samples().size(), 3U);
-  EXPECT_EQ(window.samples()[0].scan, 0);
-  EXPECT_EQ(window.scans()[2].first_sample, 2);
-  EXPECT_NEAR(window.samples()[0].p_earth.x(), 61.0, 1e-9);  // 60 m + 1 m/s x 1 s
+  ASSERT_EQ(window.detections().size(), 3U);
+  EXPECT_EQ(window.detections()[0].scan, 0);
+  EXPECT_EQ(window.scans()[2].first_detection, 2);
+  EXPECT_NEAR(window.detections()[0].p_earth.x(), 61.0, 1e-9);  // 60 m + 1 m/s x 1 s
 }
 
 TEST(HoughWindow, SaysWhatItForgot) {
@@ -49,9 +49,9 @@ TEST(HoughWindow, GivesEachAxisItsError) {
 TEST(HoughWindow, MeasuresDistancesInUnitsOfTheError) {
   HoughWindow window(3, testing::sonar(), 0.2);
   window.add(testing::scans_of(kOne, 1).front());
-  const auto& sample = window.samples()[0];
-  EXPECT_NEAR(sample.distance({3.0, 0.0}), 1.0, 1e-9);
-  EXPECT_NEAR(sample.distance({3.0, 0.0}, 4.0), 9.0 / 25.0, 1e-9);
+  const auto& detection = window.detections()[0];
+  EXPECT_NEAR(detection.distance({3.0, 0.0}), 1.0, 1e-9);
+  EXPECT_NEAR(detection.distance({3.0, 0.0}, 4.0), 9.0 / 25.0, 1e-9);
 }
 
 TEST(HoughWindow, RefusesAnEmptyWindow) {

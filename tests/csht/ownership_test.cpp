@@ -30,7 +30,7 @@ TEST(Ownership, DuplicatesOfOneTargetBecomeOne) {
   EXPECT_EQ(ownership.accepted()[0].support, 20);
 }
 
-// Two courses that cross at 4.75 s: every sample gets one owner, and each target keeps most of its own.
+// Two courses that cross at 4.75 s: every detection gets one owner, and each target keeps most of its own.
 TEST(Ownership, CrossingTargetsShareNoSample) {
   const testing::Course a{{60, -9.5}, {0, 2}}, b{{69.5, 0}, {-2, 0}};
   const auto window = window_of({a, b});
@@ -46,8 +46,8 @@ TEST(Ownership, CrossingTargetsShareNoSample) {
     EXPECT_FALSE(first.own[s] >= 0 && first.own[s] == second.own[s]) << "scan " << s;
 }
 
-// Twenty clean echoes need no track to speak for them. With a threshold out of reach only the offer lets them
-// pass, and the accepted candidate says so.
+// Twenty clean detections need no track to speak for them. With a threshold out of reach only the offer lets
+// them pass, and the accepted candidate says so.
 TEST(Ownership, RemembersWhoWasAcceptedOnlyBecauseATrackOfferedIt) {
   const testing::Course course{{80, 10}, {-1, 2}};
   const auto window = window_of({course});

@@ -6,7 +6,7 @@
 
 namespace lookout::csht {
 
-/// A scan of the sonar of [Yan2018] Table 1 with these echoes.
+/// A scan of the sonar of [Yan2018] Table 1 with these returns.
 inline core::PosedScan posed_scan(std::vector<core::SonarReturn> returns, std::int64_t utime = 0,
                                   const core::Pose2& T_earth_sonar = {}) {
   core::PosedScan posed;

@@ -27,7 +27,7 @@ Candidate start_near(const testing::Course& course, double epoch) {
 TEST(Refit, ExactSamplesGiveTheExactCourse) {
   const auto window = window_of(testing::scans_of({kCourse}));
   Candidate candidate = start_near(kCourse, 4.75);
-  const std::vector<char> free(window.samples().size(), 1);
+  const std::vector<char> free(window.detections().size(), 1);
   ASSERT_TRUE(Refit({}).fit(candidate, window, 4.75, free));
   EXPECT_EQ(candidate.support, 20);
   EXPECT_LT((candidate.position(0.0) - kCourse.at(4.75)).norm(), 1e-6);
@@ -37,7 +37,7 @@ TEST(Refit, ExactSamplesGiveTheExactCourse) {
 TEST(Refit, LeavesSamplesThatAreNotFree) {
   const auto window = window_of(testing::scans_of({kCourse}));
   Candidate candidate = start_near(kCourse, 4.75);
-  std::vector<char> free(window.samples().size(), 1);
+  std::vector<char> free(window.detections().size(), 1);
   std::fill(free.begin(), free.begin() + 15, 0);
   ASSERT_TRUE(Refit({}).fit(candidate, window, 4.75, free));
   EXPECT_EQ(candidate.support, 5);
@@ -49,17 +49,17 @@ TEST(Refit, RefusesAFitThatIsTooFast) {
   const testing::Course fast{{20, 0}, {9, 0}};
   const auto window = window_of(testing::scans_of({fast}));
   Candidate candidate = start_near(fast, 4.75);
-  const std::vector<char> free(window.samples().size(), 1);
+  const std::vector<char> free(window.detections().size(), 1);
   EXPECT_FALSE(Refit({}).fit(candidate, window, 4.75, free));
 }
 
-// Straight north of the sonar the range error is north's: for 20 equal samples the covariance of the position
-// at the epoch is sigma^2 / 20, that of the velocity sigma^2 / sum t^2.
+// Straight north of the sonar the range error is north's: for 20 equal detections the covariance of the
+// position at the epoch is sigma^2 / 20, that of the velocity sigma^2 / sum t^2.
 TEST(Refit, CovarianceIsThatOfLeastSquares) {
   const testing::Course ahead{{60, 0}, {0, 0}};
   const auto window = window_of(testing::scans_of({ahead}));
   Candidate candidate = start_near(ahead, 4.75);
-  const std::vector<char> free(window.samples().size(), 1);
+  const std::vector<char> free(window.detections().size(), 1);
   ASSERT_TRUE(Refit({}).fit(candidate, window, 4.75, free));
   double sum = 0.0;
   for (int k = 0; k < 20; ++k) sum += (0.5 * k - 4.75) * (0.5 * k - 4.75);
@@ -67,13 +67,13 @@ TEST(Refit, CovarianceIsThatOfLeastSquares) {
   EXPECT_NEAR(candidate.covariance(2, 2), 9.0 / sum, 1e-6);
 }
 
-// The same 20 samples of a target at rest with a prior of .5 m/s: the information of the velocity grows by
+// The same 20 detections of a target at rest with a prior of .5 m/s: the information of the velocity grows by
 // 1 / .5^2, its mean stays.
 TEST(Refit, AVelocityPriorAddsItsInformation) {
   const testing::Course ahead{{60, 0}, {0, 0}};
   const auto window = window_of(testing::scans_of({ahead}));
   Candidate candidate = start_near(ahead, 4.75);
-  const std::vector<char> free(window.samples().size(), 1);
+  const std::vector<char> free(window.detections().size(), 1);
   RefitParams params;
   params.velocity_sigma = 0.5;
   ASSERT_TRUE(Refit(params).fit(candidate, window, 4.75, free));
@@ -83,12 +83,12 @@ TEST(Refit, AVelocityPriorAddsItsInformation) {
   EXPECT_LT(candidate.state.tail<2>().norm(), 1e-6);
 }
 
-// Three echoes in one second whose range errors pretend 9 m/s: without a prior the fit is too fast and the
-// target lost, with one it is kept, and slower than the sensor's fastest.
-TEST(Refit, AVelocityPriorKeepsTheFirstEchoesOfATarget) {
+// Three detections in one second whose range errors pretend 9 m/s: without a prior the fit is too fast and
+// the target lost, with one it is kept, and slower than the sensor's fastest.
+TEST(Refit, AVelocityPriorKeepsTheFirstDetectionsOfATarget) {
   const testing::Course seeming{{60, 0}, {9, 0}};
   const auto window = window_of(testing::scans_of({seeming}, 3));
-  const std::vector<char> free(window.samples().size(), 1);
+  const std::vector<char> free(window.detections().size(), 1);
   RefitParams params;
   params.max_speed = 4.0;
   Candidate candidate = start_near({seeming.at(0.5), {0, 0}}, 0.0);

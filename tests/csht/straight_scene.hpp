@@ -18,13 +18,13 @@ struct Course {
   Eigen::Vector2d at(double time) const { return position + time * velocity; }
 };
 
-/// What the echoes get wrong.
+/// What the returns get wrong.
 struct Errors {
   double range_sigma = 0.0;
   double cross_sigma = 0.0;  ///< Across the line of sight [m].
   bool quantise = false;     ///< Bearings at beam centres.
   double p_miss = 0.0;
-  int clutter_per_scan = 0;  ///< In beams without an echo.
+  int clutter_per_scan = 0;  ///< In beams without a return.
 };
 
 inline core::SonarParams sonar() {

@@ -49,7 +49,7 @@ TEST(SonarSimulator, InterpolatedReportsGiveTheTruePose) {
   }
 }
 
-TEST(SonarSimulator, NavigationFaultsLeaveTheEchoesAlone) {
+TEST(SonarSimulator, NavigationFaultsLeaveTheReturnsAlone) {
   Scene scene = load_scene(kTable7);
   SonarSimulator clean(scene, 1);
   scene.platforms[0].vehicle.navigation = {0.5, 0.02, 0.02, 0.5, 0.7};

@@ -10,7 +10,7 @@
 
 namespace lookout {
 
-/// Scan `index` (every half second) of the default sonar at the origin, heading north, with exact echoes of
+/// Scan `index` (every half second) of the default sonar at the origin, heading north, with exact returns of
 /// these earth-frame points.
 inline core::PosedScan scan_of(int index, const std::vector<Eigen::Vector2d>& points) {
   const core::SonarParams sonar;

@@ -12,8 +12,8 @@ namespace {
 class CshtTrackerTest : public testing::Test {
  protected:
   std::span<const core::Track> step(const std::vector<core::MotionElement>& script,
-                                    const std::vector<Eigen::Vector2d>& echoes = {}) {
-    const core::PosedScan scan = scan_of(scan_++, echoes);
+                                    const std::vector<Eigen::Vector2d>& detections = {}) {
+    const core::PosedScan scan = scan_of(scan_++, detections);
     const auto offered = tracker_.take(scan).tracks;
     offered_.assign(offered.begin(), offered.end());
     return tracker_.update(scan, script);
@@ -80,7 +80,7 @@ TEST_F(CshtTrackerTest, DropsATrackThatTheWindowNoLongerSupports) {
 TEST_F(CshtTrackerTest, AnOldTrackFollowsItsSamples) {
   for (int k = 0; k < 10; ++k) step({element(50.0, 0.0)});
   const auto tracks = step({element(50.0, 0.0)}, {{51.0, 0.0}});
-  EXPECT_GT(tracks[0].state(0), 50.0);  // pulled towards the echo
+  EXPECT_GT(tracks[0].state(0), 50.0);  // pulled towards the detection
   EXPECT_LT(tracks[0].state(0), 51.0);
 }
 

@@ -10,18 +10,19 @@
 
 namespace lookout::tracking {
 
-/// How far a window estimate may lie from its trajectory. The first estimates of a target come from three
-/// echoes and differ by more than two targets do: the gate is wider by their own uncertainty.
+/// How far a motion element may lie from the track that it belongs to. The first elements of a target rest on
+/// three detections and may differ by more than the distance of two targets, so that the gate must widen with
+/// the uncertainty of track and element.
 struct ElementGate {
-  double position = 10.0;  ///< Distance [m] at which position alone closes the gate of two exact states, > 0.
-  double velocity = 1.5;   ///< The same of velocity [m/s], > 0.
+  double position = 10.0;  ///< Largest distance [m] of two exact states of one velocity, > 0.
+  double velocity = 1.5;   ///< Largest difference of velocity [m/s] of two exact states in one place, > 0.
   double sigmas = 4.0;     ///< Standard deviations of both that widen it (root of the sum of squares), >= 0.
 
   /// @throws std::invalid_argument naming the first value out of range.
   void validate() const;
 };
 
-/// Which motion element belongs to which trajectory: the one-to-one assignment of least
+/// Which motion element belongs to which track: the one-to-one assignment of least
 /// (distance / position gate)^2 + (speed difference / velocity gate)^2, no pair at 1 or above. [Yan2018] Sec.
 /// IV.
 class TrackToElement {

@@ -7,7 +7,7 @@
 #include "core/sonar_params.hpp"
 #include "tracking/association/global_nearest_neighbour.hpp"
 #include "tracking/initiation/birth_method.hpp"
-#include "tracking/management/trajectory_book.hpp"
+#include "tracking/management/track_book.hpp"
 #include "tracking/tracker.hpp"
 
 namespace lookout::tracking {
@@ -15,7 +15,7 @@ namespace lookout::tracking {
 /// A textbook tracker to compare with: global nearest neighbour, M-of-N confirmation. One set for every cell
 /// of every table; how it was chosen stands in docs/csht_tracker.md.
 struct GnnParams {
-  double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
+  double gate_probability = 0.99;  ///< Share of a target's own detections inside the gate, in (0, 1).
   MotionModelParams motion;        ///< See there.
   /// When a track is confirmed and when it ends.
   TrackLifeParams life{
@@ -45,7 +45,7 @@ class GnnTracker : public Tracker {
 
   GnnParams params_;
   core::SonarParams sonar_;
-  TrajectoryBook book_;
+  TrackBook book_;
   std::unique_ptr<BirthMethod> births_;  ///< Where tracks begin in place of free detections; may be null.
   std::vector<core::Detection> detections_;
   GlobalNearestNeighbour association_;

@@ -7,7 +7,7 @@
 #include "core/sonar_params.hpp"
 #include "tracking/baselines/paper_kalman_filter.hpp"
 #include "tracking/initiation/birth_method.hpp"
-#include "tracking/management/trajectory_book.hpp"
+#include "tracking/management/track_book.hpp"
 #include "tracking/tracker.hpp"
 
 namespace lookout::tracking {
@@ -15,7 +15,7 @@ namespace lookout::tracking {
 /// The baseline of [Yan2018] Sec. V.C. What the paper leaves open is the gate and when a track is confirmed
 /// and dropped; how they were chosen stands in docs/csht_tracker.md.
 struct KalmanParams {
-  double gate_probability = 0.99;  ///< Share of a target's own echoes inside the gate, in (0, 1).
+  double gate_probability = 0.99;  ///< Share of a target's own detections inside the gate, in (0, 1).
   /// Largest distance from a prediction to its detection [m], > 0: with this process noise the statistical
   /// gate of a track that was missed twice covers much of the sector.
   double gate_distance = 10.0;
@@ -48,7 +48,7 @@ class KalmanTracker : public Tracker {
   KalmanParams params_;
   core::SonarParams sonar_;
   double gate_;
-  TrajectoryBook book_;
+  TrackBook book_;
   std::unique_ptr<BirthMethod> births_;  ///< Where tracks begin in place of free detections; may be null.
   std::vector<core::Detection> detections_;
   std::vector<char> free_detection_, supported_;

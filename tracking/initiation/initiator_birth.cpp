@@ -11,7 +11,7 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kGateProbability = 0.99;  // Share of a track's own echoes that it explains.
+constexpr double kGateProbability = 0.99;  // Share of a track's own plots that it explains.
 constexpr double kVelocityTime =
     5.0;  // A window of this length measures a velocity to range_sigma / 5 s or so [s].
 constexpr double kShareOfPlots = 0.6;          // K of N where P_M is not known.
@@ -22,7 +22,8 @@ constexpr double kMarginSigmas = 3.0;          // Of the difference of two plots
 constexpr double kCellSigmas = 2.0;            // Height of a cell: 750 m for 366 m in [Zeng2023].
 constexpr double kCellsPerTolerance = 4.0;     // 20 m and 5 m, .004 and .001 rad in [Fan2018].
 
-/// Whether a method judges by errors and speeds as they are, and needs no other view of a sonar's scans.
+/// Whether a method uses each plot's own error and the speeds themselves, so that it works on a sonar's scans
+/// as they are; the others are made for targets that move by more than the errors between two scans.
 bool suits_any_sensor(const std::string& initiator) {
   return initiator == "vct";
 }
@@ -33,7 +34,7 @@ int plots_needed(const core::SonarParams& sonar, int window_scans) {
   return std::clamp(static_cast<int>(std::floor(0.8 * detected * window_scans)), 3, window_scans);
 }
 
-/// Scans that a velocity needs.
+/// Scans of the window that measures a velocity (see `kVelocityTime`).
 int velocity_scans(const core::SonarParams& sonar) {
   const int scans = static_cast<int>(std::lround(kVelocityTime / sonar.scan_period));
   return std::clamp(scans, 4, kLongestWindow);
@@ -44,27 +45,28 @@ double step_sigma(const core::SonarParams& sonar) {
   return std::numbers::sqrt2 * sonar.range_sigma;
 }
 
-/// Scans from one that a method is shown to the next: a radar's target moves by more than the errors in
-/// between, and so does the fastest target of a sonar.
+/// Every how many scans a radar's method is shown one: so many that the fastest target moves by more than the
+/// errors in between, as the radar's targets do from scan to scan.
 int stride_for(const core::SonarParams& sonar, int window_scans) {
   const double scans = std::ceil(step_sigma(sonar) / (sonar.max_speed * sonar.scan_period));
   return static_cast<int>(
       std::clamp(scans, 1.0, std::max(1.0, std::floor((kLongestWindow - 1.0) / (window_scans - 1)))));
 }
 
-/// Cells and tolerances in proportion to the errors, as those of the papers are to theirs.
+/// Sets cells and tolerances in the proportion to the sonar's errors that the papers' have to a radar's.
 void scale_cells(const core::SonarParams& sonar, double step_seconds, InitiatorConfig& config) {
   const double sigma = sonar.range_sigma;
   config.rho_step = config.rho_step.value_or(kCellSigmas * sigma);
   config.rho_tolerance = config.rho_tolerance.value_or(kCellsPerTolerance * *config.rho_step);
-  // The direction of a step, as far as the longest step tells it. Two tolerances are a quarter turn at most.
+  // The error of a step's direction where the step is longest; at most so large that two tolerances are a
+  // quarter turn.
   const double turn =
       std::min(std::atan2(step_sigma(sonar), sonar.max_speed * step_seconds), std::numbers::pi / 8);
   config.theta_tolerance = config.theta_tolerance.value_or(turn);
   config.theta_step = config.theta_step.value_or(turn / kCellsPerTolerance);
 }
 
-/// The view of the scans that a radar's method needs.
+/// How a radar's method is shown a sonar's scans.
 LocalInitiatorParams local_params(const core::SonarParams& sonar, const InitiatorConfig& config) {
   LocalInitiatorParams params;
   params.stride = stride_for(sonar, *config.window_scans);
@@ -100,7 +102,8 @@ InitiatorConfig for_sonar(const core::SonarParams& sonar, const std::string& ini
   if (as_it_is) return config;
   const double step_seconds = stride_for(sonar, *config.window_scans) * sonar.scan_period;
   config.gate_margin = config.gate_margin.value_or(kMarginSigmas * step_sigma(sonar));
-  config.max_turn = config.max_turn.value_or(std::numbers::pi);  // Who may stand still may step anywhere.
+  // The errors alone can make the steps of a slow target point anywhere: no turn is refused.
+  config.max_turn = config.max_turn.value_or(std::numbers::pi);
   config.sensor_range = config.sensor_range.value_or(
       2.0 * (*config.max_speed * step_seconds * (*config.window_scans - 1) + *config.gate_margin));
   config.centred_rows = true;
@@ -115,7 +118,7 @@ InitiatorBirth::InitiatorBirth(const std::string& initiator, const InitiatorConf
   auto method = make_for_sonar(sonar, initiator, scaled);
   SlidingParams params;
   params.window_scans = method->window_scans();
-  params.follow = false;  // The tracker's own tracks claim their echoes.
+  params.follow = false;  // The tracker associates later plots with its tracks.
   params.motion.acceleration_sigma = *scaled.acceleration_sigma;
   sliding_ = std::make_unique<SlidingInitiator>(std::move(method), params);
 }
@@ -125,7 +128,7 @@ std::span<const core::MotionElement> InitiatorBirth::propose(const core::PosedSc
   if (!has_begun_) first_utime_ = scan.scan.utime;
   has_begun_ = true;
   plots_.clear();
-  for (const Plot& plot : echoes_.of(scan, sonar_)) {
+  for (const Plot& plot : sonar_plots_.of(scan, sonar_)) {
     if (!explained(plot, tracks)) plots_.push_back(plot);
   }
   const StartedTracks& started = sliding_->add_scan(core::seconds(scan.scan.utime - first_utime_), plots_);
@@ -137,7 +140,8 @@ std::span<const core::MotionElement> InitiatorBirth::propose(const core::PosedSc
 bool InitiatorBirth::explained(const Plot& plot, std::span<const core::Track> tracks) const {
   return std::any_of(tracks.begin(), tracks.end(), [&](const core::Track& track) {
     const Eigen::Matrix2d covariance = track.covariance.topLeftCorner<2, 2>() + plot.noise;
-    return squared_distance(plot.position + echoes_.p_earth_origin() - track.position(), covariance) <= gate_;
+    return squared_distance(plot.position + sonar_plots_.p_earth_origin() - track.position(), covariance) <=
+           gate_;
   });
 }
 
@@ -150,8 +154,8 @@ core::MotionElement InitiatorBirth::element_of(const StartedTracks& started, con
   predict(ahead, now - track.last_time, MotionModelParams{kAccelerationSigma});
   core::MotionElement element;
   element.initial_utime = first_utime_ + core::microseconds(track.first_time);
-  element.initial_position = track.initial_position() + echoes_.p_earth_origin();
-  element.position = ahead.position() + echoes_.p_earth_origin();
+  element.initial_position = track.initial_position() + sonar_plots_.p_earth_origin();
+  element.position = ahead.position() + sonar_plots_.p_earth_origin();
   element.velocity = ahead.velocity();
   element.covariance = ahead.covariance;
   element.score = track.score;

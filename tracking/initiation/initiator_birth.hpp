@@ -18,7 +18,7 @@ namespace lookout::tracking {
 InitiatorConfig for_sonar(const core::SonarParams& sonar, const std::string& initiator,
                           InitiatorConfig config);
 
-/// Any registered initiator as the birth method of a tracker: it looks at the echoes of the latest scans that
+/// Any registered initiator as the birth method of a tracker: it looks at the plots of the latest scans that
 /// no track explains, around the sonar's place at the first of them, and proposes each started track once.
 class InitiatorBirth : public BirthMethod {
  public:
@@ -39,7 +39,7 @@ class InitiatorBirth : public BirthMethod {
   double gate_;
   std::int64_t first_utime_ = 0;  ///< Zero of the plots' time [us].
   bool has_begun_ = false;
-  SonarPlots echoes_;
+  SonarPlots sonar_plots_;
   std::vector<Plot> plots_;  ///< Those that no track explains.
   std::vector<core::MotionElement> elements_;
 };

@@ -71,7 +71,7 @@ void LocalInitiator::show(const PlotWindow& window, const Plot& centre) {
   }
 }
 
-/// Greedy: the course least expected of clutter first.
+/// Greedy: first the course that clutter is least likely to make.
 void LocalInitiator::declare(const PlotWindow& window) {
   std::stable_sort(candidates_.begin(), candidates_.end(),
                    [](const Candidate& a, const Candidate& b) { return a.log_expected < b.log_expected; });

@@ -13,18 +13,19 @@ namespace lookout::tracking {
 struct LocalInitiatorParams {
   int stride = 1;                ///< Every stride-th scan, counted back from the newest, is looked at, >= 1.
   double margin = 0.0;           ///< How far errors of the plots widen the reach of a target [m], >= 0.
-  int window_scans = 10;         ///< Scans, thinned out or not, that a track must stand in, >= 3.
-  TrackVerifierParams verifier;  ///< Of the course that a beginning must stand up as.
+  int window_scans = 10;         ///< Scans, all of them, in which a track is verified, >= 3.
+  TrackVerifierParams verifier;  ///< Of the test that a started track must pass.
 
   /// @throws std::invalid_argument naming the value out of range.
   void validate() const;
 };
 
 /// Lets a method that was made for a radar see targets that move by less than their errors from scan to scan.
-/// Around each plot of the newest scan it shows the method what a target of that plot can have left in the
-/// scans before: every `stride`-th of them, so that steps compare with errors; only what lies within reach;
-/// seen from the middle of it, so that directions have no lever. What the method starts there is a proposal:
-/// it becomes a track where `TrackVerifier` finds it in all scans. One plot serves one track.
+/// Around each plot of the newest scan it shows the method the plots of earlier scans that the same target
+/// may have made: of every `stride`-th scan, so that steps are longer than errors; only within the target's
+/// reach; relative to their middle, so that an error of direction moves no line far. What the method starts
+/// there is a proposal: it becomes a track where `TrackVerifier` finds it in all scans. One plot serves one
+/// track.
 class LocalInitiator : public Initiator {
  public:
   /// @param method not null; its `window_scans` are the scans that it is shown.

@@ -5,7 +5,7 @@
 namespace lookout::tracking {
 
 void begin_on_proposals(BirthMethod& births, const core::PosedScan& scan, const core::SonarParams& sonar,
-                        TrajectoryBook& book) {
+                        TrackBook& book) {
   for (const core::MotionElement& element : births.propose(scan, book.tracks())) {
     if (!core::observe(sonar, scan.T_earth_sonar, element.position).visible()) continue;
     book.begin(scan.scan.utime, element.state(), element.covariance);

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double kMeanForgets = 0.05;    // Of the mean number of returns, per scan.
 constexpr double kNearestShare = 0.001;  // Of the range; nearer, the density of clutter grows no more.
-// An echo of a few metres may come from the sonar's own place, where all bearings meet and clutter crowds:
-// the density counts so many sigmas nearer than the echo, else crossing clutter starts tracks there.
+// At a few metres the range error reaches to the sonar itself, where all bearings meet and clutter crowds:
+// the density is taken so many sigmas nearer than the plot, else crossing clutter starts tracks there.
 constexpr double kNearerSigmas = 2.0;
 
 }  // namespace

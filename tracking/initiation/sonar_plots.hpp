@@ -10,12 +10,12 @@
 
 namespace lookout::tracking {
 
-/// The echoes of a sonar as an initiator takes them: positions around the sonar's place at its first scan,
-/// the noise of each, and the density of clutter, which falls with range, since clutter is even over range
-/// and bearing.
+/// The detections of a sonar as the plots that an initiator takes: positions relative to the sonar's place at
+/// its first scan, the noise of each, and the density of clutter, which falls with range, since clutter is
+/// even over range and bearing.
 class SonarPlots {
  public:
-  /// The echoes of one scan, whose geometry wins over that of `sonar`; valid until the next call.
+  /// The plots of one scan, whose geometry wins over that of `sonar`; valid until the next call.
   std::span<const Plot> of(const core::PosedScan& scan, const core::SonarParams& sonar);
 
   const Eigen::Vector2d& p_earth_origin() const { return p_earth_origin_; }  ///< Of the plots [m].

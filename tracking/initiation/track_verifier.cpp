@@ -61,7 +61,7 @@ const VerifiedCourse* TrackVerifier::verify(const PlotWindow& window, const Star
   return stands ? &course_ : nullptr;
 }
 
-/// Of each scan the plot nearest to the course in units of what is known of both.
+/// Of each scan the plot nearest to the course, in units of the covariance of both.
 void TrackVerifier::choose(const PlotWindow& window, const TrackFit& course) {
   course_.plots.clear();
   for (int scan = 0; scan < window.num_scans(); ++scan) {

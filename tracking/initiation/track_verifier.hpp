@@ -10,7 +10,7 @@
 
 namespace lookout::tracking {
 
-/// When a started track is taken for a target.
+/// When a started track counts as a target's.
 struct TrackVerifierParams {
   SpeedLimits speeds{0.0, 3.0};     ///< max finite.
   MotionModelParams motion;         ///< Of the refit.
@@ -33,7 +33,7 @@ struct VerifiedCourse {
 };
 
 /// Tells started tracks from chance: a track's course is looked for in every scan of a window, the nearest
-/// plot of each in the gate of its own uncertainty; it stands where enough scans hold one, they fit one
+/// plot of each in the gate of its own uncertainty; it is accepted where enough scans hold one, they fit one
 /// velocity within the limits, and clutter alone is not expected to fit as well. Cost: plots of the window x
 /// passes.
 class TrackVerifier {
@@ -41,7 +41,7 @@ class TrackVerifier {
   /// @throws std::invalid_argument on a value out of range.
   explicit TrackVerifier(const TrackVerifierParams& params);
 
-  /// @param track in the frame of the window. @return nothing where the course does not stand; valid until
+  /// @param track in the frame of the window. @return nothing where the course is refused; valid until
   /// the next call.
   const VerifiedCourse* verify(const PlotWindow& window, const StartedTrack& track);
 

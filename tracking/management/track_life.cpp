@@ -22,7 +22,7 @@ TrackLife::TrackLife(const TrackLifeParams& params, std::int64_t utime)
 void TrackLife::step(const TrackLifeParams& params, const Evidence& evidence) {
   ++age_;
   if (evidence.supported) ++hits_;
-  // Outside the field of view silence says nothing.
+  // Outside the field of view a scan without support is no miss.
   if (evidence.supported)
     misses_ = 0;
   else if (evidence.in_view)

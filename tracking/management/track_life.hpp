@@ -6,23 +6,24 @@
 
 namespace lookout::tracking {
 
-/// When a trajectory is confirmed, how long it survives without support, and how long it coasts.
+/// When a track is confirmed, how long it survives without support, and how long it coasts.
 struct TrackLifeParams {
-  int confirm_hits = 1;         ///< Supported scans that confirm, M of N, >= 1; 1: at once.
-  int confirm_scans = 1;        ///< N: scans from the first within which they must come, >= confirm_hits.
-  double max_misses = 5.0;      ///< Most scans in view without support in a row, >= 0; a proven trajectory.
-  double first_misses = 1.0;    ///< The same of a trajectory without hits, >= 0.
-  double misses_per_hit = 0.2;  ///< What each hit adds to it, >= 0.
-  double coast_s = 10.0;  ///< How long a confirmed trajectory is kept outside the field of view [s], >= 0.
+  int confirm_hits = 1;   ///< Supported scans that confirm, M of N, >= 1; 1: at once.
+  int confirm_scans = 1;  ///< N: scans from the first within which they must come, >= confirm_hits.
+  double max_misses =
+      5.0;  ///< Most misses in a row (scans in view without support), >= 0, however many hits.
+  double first_misses = 1.0;    ///< Most misses in a row of a track without hits, >= 0.
+  double misses_per_hit = 0.2;  ///< What each hit adds to that, >= 0.
+  double coast_s = 10.0;        ///< How long a confirmed track is kept outside the field of view [s], >= 0.
 
   /// @throws std::invalid_argument naming the first value out of range.
   void validate() const;
 };
 
-/// The stages of one trajectory: tentative, confirmed, coasting, ended.
+/// The stages of one track: tentative, confirmed, coasting, deleted.
 class TrackLife {
  public:
-  /// What the newest scan says of the trajectory.
+  /// What the newest scan says of the track.
   struct Evidence {
     std::int64_t utime = 0;  ///< Of the scan [us].
     bool supported = false;  ///< Something in the scan or the window belongs to it.

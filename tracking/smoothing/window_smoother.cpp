@@ -17,11 +17,11 @@ WindowSmoother::WindowSmoother(const WindowSmootherParams& params) : params_(par
   params_.validate();
 }
 
-void WindowSmoother::correct(core::Track& track, int age, const core::Detection* sample,
+void WindowSmoother::correct(core::Track& track, int age, const core::Detection* detection,
                              const core::MotionElement* element, const core::SonarParams& sonar) const {
-  if (sample != nullptr) {
-    update(track, sample->p_earth, position_noise(*sample, sonar));
-    track.last_detection_utime = sample->utime;
+  if (detection != nullptr) {
+    update(track, detection->p_earth, position_noise(*detection, sonar));
+    track.last_detection_utime = detection->utime;
   }
   if (element == nullptr) return;
   if (age >= params_.young_scans && !disagree(track, *element)) return;

@@ -28,7 +28,7 @@ TEST(RansacEstimator, FollowsExactCourses) {
   for (const auto& course : courses) {
     const auto error = [&](const auto& e) { return (e.position - course.at(9.5)).norm(); };
     const auto& nearest = error(elements[0]) < error(elements[1]) ? elements[0] : elements[1];
-    EXPECT_LT(error(nearest), 1e-6);  // Exact echoes on a straight line: regression is exact.
+    EXPECT_LT(error(nearest), 1e-6);  // Exact detections on a straight line: regression is exact.
     EXPECT_LT((nearest.velocity - course.velocity).norm(), 1e-6);
   }
 }

@@ -36,7 +36,7 @@ core::VehicleState still(std::int64_t utime) {
 
 TEST(RecordedChain, KeepsOneListAnAcceptedScan) {
   RecordedChain chain(plain("gnn"), 1);
-  core::SonarScan scan;  // no echo at all, which is an answer too
+  core::SonarScan scan;  // no return at all, which is an answer too
   scan.num_beams = 90;
   scan.first_bearing = core::radians(-44.5);
   scan.bearing_step = core::radians(1.0);

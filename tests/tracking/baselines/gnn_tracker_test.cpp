@@ -9,7 +9,7 @@
 namespace lookout::tracking {
 namespace {
 
-TEST(GnnTracker, ConfirmsOnTheMthEchoAndFollows) {
+TEST(GnnTracker, ConfirmsOnTheMthDetectionAndFollows) {
   GnnTracker tracker({}, {});
   for (int k = 0; k < 5; ++k)
     ASSERT_EQ(tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}), {})[0].status,
@@ -22,7 +22,7 @@ TEST(GnnTracker, ConfirmsOnTheMthEchoAndFollows) {
   EXPECT_NEAR(tracks[0].state(2), 1.0, 0.05);
 }
 
-TEST(GnnTracker, OneEchoMakesNoConfirmedTrack) {
+TEST(GnnTracker, OneDetectionMakesNoConfirmedTrack) {
   GnnTracker tracker({}, {});
   tracker.update(scan_of(0, {{50.0, 0.0}}), {});
   std::span<const core::Track> tracks;

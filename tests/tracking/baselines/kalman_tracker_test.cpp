@@ -9,7 +9,7 @@
 namespace lookout::tracking {
 namespace {
 
-TEST(KalmanTracker, ConfirmsOnTheMthEchoAndFollows) {
+TEST(KalmanTracker, ConfirmsOnTheMthDetectionAndFollows) {
   KalmanTracker tracker({}, {});
   for (int k = 0; k < 3; ++k)
     ASSERT_EQ(tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}), {})[0].status,

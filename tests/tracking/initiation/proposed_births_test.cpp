@@ -31,7 +31,7 @@ class FixedProposals : public BirthMethod {
 // Ahead at 60 m; behind the sonar; ahead beyond the 150 m that it reaches.
 TEST(BeginOnProposals, BeginsWhereTheSonarSees) {
   FixedProposals births({{60.0, 0.0}, {-60.0, 0.0}, {160.0, 0.0}});
-  TrajectoryBook book({});
+  TrackBook book({});
   begin_on_proposals(births, scan_of(4, {}), core::SonarParams{}, book);
   ASSERT_EQ(book.tracks().size(), 1U);
   EXPECT_DOUBLE_EQ(book.tracks()[0].state[0], 60.0);

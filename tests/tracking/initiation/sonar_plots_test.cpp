@@ -20,19 +20,20 @@ core::PosedScan scan_of(const core::SonarParams& sonar, std::vector<core::SonarR
 
 TEST(SonarPlots, PositionsAreThoseAroundTheFirstPlaceOfTheSonar) {
   const core::SonarParams sonar;
-  SonarPlots echoes;
+  SonarPlots sonar_plots;
   core::PosedScan scan = scan_of(sonar, {{0.0, 50.0, 1.0}});
-  EXPECT_LT((echoes.of(scan, sonar)[0].position - Eigen::Vector2d(50.0, 0.0)).norm(), 1e-9);
-  EXPECT_EQ(echoes.p_earth_origin(), Eigen::Vector2d(1000.0, 2000.0));
+  EXPECT_LT((sonar_plots.of(scan, sonar)[0].position - Eigen::Vector2d(50.0, 0.0)).norm(), 1e-9);
+  EXPECT_EQ(sonar_plots.p_earth_origin(), Eigen::Vector2d(1000.0, 2000.0));
   scan.T_earth_sonar.north += 10.0;
-  EXPECT_LT((echoes.of(scan, sonar)[0].position - Eigen::Vector2d(60.0, 0.0)).norm(), 1e-9);
+  EXPECT_LT((sonar_plots.of(scan, sonar)[0].position - Eigen::Vector2d(60.0, 0.0)).norm(), 1e-9);
 }
 
 TEST(SonarPlots, ClutterEvenOverRangeAndBearingThinsWithRange) {
   core::SonarParams sonar;
   sonar.range_sigma = 3.0;
-  SonarPlots echoes;
-  const auto plots = echoes.of(scan_of(sonar, {{0.0, 100.0, 1.0}, {0.1, 50.0, 1.0}, {0.2, 4.0, 1.0}}), sonar);
+  SonarPlots sonar_plots;
+  const auto plots =
+      sonar_plots.of(scan_of(sonar, {{0.0, 100.0, 1.0}, {0.1, 50.0, 1.0}, {0.2, 4.0, 1.0}}), sonar);
   // Three returns over 90 beams of 1 degree and 150 m, at 94, 44 and (two sigmas nearer than 4 m) 0.15 m.
   const double per_range = 3.0 / (0.5 * std::numbers::pi * 150.0);
   EXPECT_NEAR(plots[0].clutter_density, per_range / 94.0, 1e-9);
@@ -41,8 +42,8 @@ TEST(SonarPlots, ClutterEvenOverRangeAndBearingThinsWithRange) {
 }
 
 TEST(SonarPlots, AnEmptyScanHasNone) {
-  SonarPlots echoes;
-  EXPECT_TRUE(echoes.of(scan_of({}, {}), {}).empty());
+  SonarPlots sonar_plots;
+  EXPECT_TRUE(sonar_plots.of(scan_of({}, {}), {}).empty());
 }
 
 }  // namespace

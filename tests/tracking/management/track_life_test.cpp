@@ -41,7 +41,7 @@ TEST(TrackLife, EndsWhenMCanNoLongerBeReached) {
   EXPECT_TRUE(life.ended());
 }
 
-/// Misses that a confirmed trajectory with this many hits survives.
+/// Misses that a confirmed track with this many hits survives.
 int survived_misses(int hits) {
   const TrackLifeParams params;
   TrackLife life(params, 0);

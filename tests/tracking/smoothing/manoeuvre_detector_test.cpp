@@ -31,14 +31,14 @@ TEST(ManoeuvreDetector, ScatterOfTwoDeviationsIsNoManoeuvre) {
     EXPECT_FALSE(ManoeuvreDetector({}).notice(track, drift, {k % 2 ? 4.0 : -4.0, 0.0}, kNoise));
 }
 
-// Samples that stay two deviations ahead: the mean is 2 (1 - .8^k), its square times 9 passes 20 where
-// .8^k < 1 - sqrt(20 / 36), with the seventh sample.
+// Detections that stay two deviations ahead: the mean is 2 (1 - .8^k), its square times 9 passes 20 where
+// .8^k < 1 - sqrt(20 / 36), with the seventh detection.
 TEST(ManoeuvreDetector, AConstantOffsetOpensTheCovariance) {
   core::Track track = track_at_origin();
   Eigen::Vector2d drift(0.0, 0.0);
-  int samples = 1;
-  while (!ManoeuvreDetector({}).notice(track, drift, {4.0, 0.0}, kNoise) && samples < 20) ++samples;
-  EXPECT_EQ(samples, 7);
+  int detections = 1;
+  while (!ManoeuvreDetector({}).notice(track, drift, {4.0, 0.0}, kNoise) && detections < 20) ++detections;
+  EXPECT_EQ(detections, 7);
   EXPECT_TRUE(track.covariance.diagonal().isApprox(Eigen::Vector4d(4.0, 4.0, 1.3, 1.3)));
   EXPECT_EQ(drift, Eigen::Vector2d(0.0, 0.0));
 }

@@ -15,9 +15,9 @@ class WindowSmootherTest : public testing::Test {
   WindowSmootherTest() {
     track_.state << 50.0, 0.0, 1.0, 0.0;
     track_.covariance = Eigen::Matrix4d::Identity();
-    sample_.p_earth = {52.0, 0.0};
-    sample_.range = 52.0;
-    sample_.utime = 7;
+    detection_.p_earth = {52.0, 0.0};
+    detection_.range = 52.0;
+    detection_.utime = 7;
     element_.position = {51.0, 0.5};
     element_.velocity = {0.8, 0.1};
     element_.covariance = 2.0 * Eigen::Matrix4d::Identity();
@@ -25,12 +25,12 @@ class WindowSmootherTest : public testing::Test {
   WindowSmoother smoother_{{}};
   core::SonarParams sonar_;
   core::Track track_;
-  core::Detection sample_;
+  core::Detection detection_;
   core::MotionElement element_;
 };
 
 TEST_F(WindowSmootherTest, YoungTrajectoriesAreTheWindowEstimate) {
-  smoother_.correct(track_, 5, &sample_, &element_, sonar_);
+  smoother_.correct(track_, 5, &detection_, &element_, sonar_);
   EXPECT_EQ(track_.state, element_.state());
   EXPECT_EQ(track_.covariance, element_.covariance);
   EXPECT_EQ(track_.last_detection_utime, 7);
@@ -38,8 +38,8 @@ TEST_F(WindowSmootherTest, YoungTrajectoriesAreTheWindowEstimate) {
 
 TEST_F(WindowSmootherTest, OldOnesTakeTheNewSampleAlone) {
   core::Track expected = track_;
-  update(expected, sample_.p_earth, position_noise(sample_, sonar_));
-  smoother_.correct(track_, 6, &sample_, &element_, sonar_);
+  update(expected, detection_.p_earth, position_noise(detection_, sonar_));
+  smoother_.correct(track_, 6, &detection_, &element_, sonar_);
   EXPECT_TRUE(track_.state.isApprox(expected.state));
 }
 

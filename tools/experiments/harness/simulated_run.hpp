@@ -28,7 +28,7 @@ std::vector<TimedScan> simulate_through_intake(const sonar_sim::Scene& scene, st
 struct SceneVariant {
   double p_false_alarm = 0.3;
   double p_miss = 0.3;
-  double sigma = 3.0;  ///< [m], of the echoes and as told.
+  double sigma = 3.0;  ///< [m], of the detections and as told.
   sonar_sim::ClutterReading clutter = sonar_sim::ClutterReading::literal;
 };
 sonar_sim::Scene load_variant(const std::string& scene_file, const SceneVariant& variant);

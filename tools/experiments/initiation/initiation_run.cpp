@@ -9,8 +9,8 @@
 namespace lookout::tools {
 namespace {
 
-/// The cut points of docs/initiators.md, set there after the prototype's figures: they describe, the figures
-/// claim.
+/// The limits of the levels in docs/initiators.md, chosen there after a first version's figures: levels are
+/// words for the reader, claims rest on the figures.
 constexpr double kHighDiscrimination = 1.5;
 constexpr double kDivergenceCuts[] = {0.1, 1.2, 5.0};
 constexpr double kDeclineCuts[] = {0.02, 0.5, 0.6};

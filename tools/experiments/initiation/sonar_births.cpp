@@ -12,7 +12,7 @@ namespace lookout::tools {
 namespace {
 
 constexpr const char* kScene = "tracking_table7.yaml";
-/// The plainest tracker: what it follows is what was begun.
+/// The plainest tracker: it follows what was begun, right or wrong.
 constexpr const char* kTracker = "gnn";
 /// P_F and P_M alike.
 constexpr std::array kProbabilities{0.1, 0.3};

@@ -9,7 +9,7 @@
 namespace lookout::tools {
 namespace {
 
-constexpr double kTruthGate = 0.999;  // Share of a target's own echoes that are taken for its.
+constexpr double kTruthGate = 0.999;  // Share of a target's own plots inside the gate.
 constexpr double kLeastView = 5.0;    // A target seen for less cannot fill a window [s].
 
 /// The number of each target that is in view for long enough.
@@ -24,7 +24,7 @@ std::map<std::int32_t, int> numbered_targets(const std::vector<TimedScan>& scans
   return numbers;
 }
 
-/// Whose echo a plot is: the nearest target's within the gate, or -1.
+/// Whose plot it is: the nearest target's within the gate, or -1.
 int target_of(const tracking::Plot& plot, const Eigen::Vector2d& p_earth_origin,
               const core::GroundTruth& truth, const std::map<std::int32_t, int>& numbers) {
   static const double gate = tracking::chi_square_gate(kTruthGate, 2);
@@ -52,13 +52,13 @@ SonarInitiation sonar_initiation(const std::string& scene_file, const SceneVaria
   const std::vector<TimedScan> scans = simulate(scene, seed, run);
   const auto numbers = numbered_targets(scans, result.sonar.scan_period);
   result.scene.num_targets = static_cast<int>(numbers.size());
-  tracking::SonarPlots echoes;
+  tracking::SonarPlots sonar_plots;
   for (const TimedScan& scan : scans) {
     result.scene.times.push_back(core::seconds(scan.posed.scan.utime));
     auto& plots = result.scene.scans.emplace_back();
-    for (tracking::Plot plot : echoes.of(scan.posed, result.sonar)) {
+    for (tracking::Plot plot : sonar_plots.of(scan.posed, result.sonar)) {
       plot.source = static_cast<int>(result.scene.target_of.size());
-      result.scene.target_of.push_back(target_of(plot, echoes.p_earth_origin(), scan.truth, numbers));
+      result.scene.target_of.push_back(target_of(plot, sonar_plots.p_earth_origin(), scan.truth, numbers));
       plots.push_back(plot);
     }
   }

@@ -8,7 +8,7 @@ namespace lookout::tools {
 
 /// A sonar's scans as an initiator takes them.
 struct SonarInitiation {
-  InitiationScene scene;    ///< `target_of`: an echo within the 99.9 % gate of the nearest target in view is
+  InitiationScene scene;    ///< `target_of`: a plot within the 99.9 % gate of the nearest target in view is
                             ///< that target's. Targets count that are in view for a window of 5 s or more.
   core::SonarParams sonar;  ///< As an initiator is told: all figures known.
 };

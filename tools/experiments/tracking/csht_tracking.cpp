@@ -54,7 +54,7 @@ bool uses_figures(const std::string& method) {
   return method == "joint";
 }
 
-/// The longer window is for high miss rates; the diagonal shows what it does elsewhere.
+/// The longer window serves high miss rates; the diagonal of the table shows its effect at the others.
 bool in_long_window_row(const Point& point) {
   return point.sigma == kPaperSigma &&
          (point.p_miss == kProbabilities[3] || point.p_miss == point.p_false_alarm);
@@ -111,7 +111,7 @@ std::unique_ptr<tracking::ScanPipeline> pipeline_of(const Cell& cell, const sona
   return tracking::make_pipeline(params, sonar);
 }
 
-/// Mean OSPA of the tracker that is told which echo is whose.
+/// Mean OSPA of the tracker that is told which detection is whose.
 double bound(const std::vector<TimedScan>& scans, const core::SonarParams& sonar) {
   PerfectAssociation reference(sonar);
   tracking::Scorer scorer;

@@ -95,8 +95,8 @@ Metrics bound_metrics(const Window& window) {
   return metrics;
 }
 
-/// The targets elsewhere in each run: beam edges are fixed in space, so that one place shows one error of
-/// bearing again and again, and only many places show whether the covariance is true.
+/// Moves the targets in each run: the bearing error of a target is fixed by its place in the beam, so that
+/// only many places show whether the covariance is true.
 void move_targets(std::uint64_t seed, int run, sonar_sim::Scene& scene) {
   core::Random random(seed, core::RandomStream::experiment, static_cast<std::uint64_t>(run));
   const auto within = [&](double limit) {

@@ -10,35 +10,35 @@
 namespace lookout::tools {
 namespace {
 
-/// The detection that is the target's echo: the only one in its beam, where no nearer target owns the beam.
-const core::Detection* own_echo(const core::TargetTruth& target, const TimedScan& scan,
-                                const std::vector<core::Detection>& detections,
-                                const core::SonarParams& sonar) {
+/// The target's own detection: the only one in its beam, where no nearer target owns the beam.
+const core::Detection* own_detection(const core::TargetTruth& target, const TimedScan& scan,
+                                     const std::vector<core::Detection>& detections,
+                                     const core::SonarParams& sonar) {
   const auto seen = core::observe(sonar, scan.posed.T_earth_sonar, target.position);
   for (const auto& other : scan.truth.targets) {
     const auto point = core::observe(sonar, scan.posed.T_earth_sonar, other.position);
     if (point.visible() && point.beam == seen.beam && point.range < seen.range) return nullptr;
   }
-  const auto echo = std::find_if(detections.begin(), detections.end(),
-                                 [&](const core::Detection& d) { return d.beam == seen.beam; });
-  return echo == detections.end() ? nullptr : &*echo;
+  const auto detection = std::find_if(detections.begin(), detections.end(),
+                                      [&](const core::Detection& d) { return d.beam == seen.beam; });
+  return detection == detections.end() ? nullptr : &*detection;
 }
 
-core::Track begin(const core::TargetTruth& target, const core::Detection& echo,
+core::Track begin(const core::TargetTruth& target, const core::Detection& detection,
                   const core::SonarParams& sonar) {
   core::Track fit;
   fit.id = target.id;
   fit.status = core::TrackStatus::confirmed;
-  fit.state << echo.p_earth, 0.0, 0.0;
-  fit.covariance.topLeftCorner<2, 2>() = tracking::position_noise(echo, sonar);
+  fit.state << detection.p_earth, 0.0, 0.0;
+  fit.covariance.topLeftCorner<2, 2>() = tracking::position_noise(detection, sonar);
   // A velocity spread evenly over the disc of allowed speeds has this variance on each axis.
   fit.covariance.bottomRightCorner<2, 2>() =
       0.25 * sonar.max_speed * sonar.max_speed * Eigen::Matrix2d::Identity();
-  fit.first_utime = fit.last_detection_utime = echo.utime;
+  fit.first_utime = fit.last_detection_utime = detection.utime;
   return fit;
 }
 
-/// Carries the fit from its last echo to `utime`.
+/// Carries the fit from its last detection to `utime`.
 core::Track at(core::Track fit, std::int64_t utime) {
   tracking::predict(fit, core::seconds(utime - fit.last_detection_utime), {.acceleration_sigma = 0.0});
   fit.last_detection_utime = utime;
@@ -55,12 +55,12 @@ std::vector<core::Track> PerfectAssociation::update(const TimedScan& scan) {
   std::vector<core::Track> reported;
   for (const auto& target : scan.truth.targets) {
     if (!target.visible) continue;
-    const auto* echo = own_echo(target, scan, detections, sonar_);
+    const auto* detection = own_detection(target, scan, detections, sonar_);
     auto fit = std::find_if(fits_.begin(), fits_.end(), [&](const auto& f) { return f.id == target.id; });
     if (fit != fits_.end()) *fit = at(*fit, scan.posed.scan.utime);
-    if (fit != fits_.end() && echo)
-      tracking::update(*fit, echo->p_earth, tracking::position_noise(*echo, sonar_));
-    if (fit == fits_.end() && echo) fit = fits_.insert(fits_.end(), begin(target, *echo, sonar_));
+    if (fit != fits_.end() && detection)
+      tracking::update(*fit, detection->p_earth, tracking::position_noise(*detection, sonar_));
+    if (fit == fits_.end() && detection) fit = fits_.insert(fits_.end(), begin(target, *detection, sonar_));
     if (fit != fits_.end()) reported.push_back(*fit);
   }
   return reported;

@@ -8,15 +8,15 @@
 
 namespace lookout::tools {
 
-/// The tracker that is told which echo is whose: what no tracker can beat on the same scans by more than
-/// Monte Carlo error. It reports each target in view from its first echo on, as the least-squares constant
-/// velocity fit to all its echoes so far.
+/// The tracker that is told which detection is whose: what no tracker can beat on the same scans by more than
+/// Monte Carlo error. It reports each target in view from its first detection on, as the least-squares
+/// constant velocity fit to all its detections so far.
 class PerfectAssociation {
  public:
   /// @param sonar sigma as it truly is.
   explicit PerfectAssociation(const core::SonarParams& sonar);
 
-  /// The targets in view that have been heard, at the time of `scan`.
+  /// The targets in view that have been detected, at the time of `scan`.
   std::vector<core::Track> update(const TimedScan& scan);
 
  private:

@@ -70,8 +70,8 @@ std::vector<char> heard_near(const std::vector<TimedScan>& scans, std::int32_t i
                                      [&](const auto& candidate) { return candidate.id == id; });
     const auto& returns = scan.posed.scan.returns;
     heard.push_back(target != scan.truth.targets.end() &&
-                    std::any_of(returns.begin(), returns.end(), [&](const core::SonarReturn& echo) {
-                      const auto p_sonar = core::from_polar(echo.range, echo.bearing);
+                    std::any_of(returns.begin(), returns.end(), [&](const core::SonarReturn& sonar_return) {
+                      const auto p_sonar = core::from_polar(sonar_return.range, sonar_return.bearing);
                       const auto p_earth = core::transform(scan.posed.T_earth_sonar, p_sonar);
                       return (p_earth - target->position).norm() <= radius;
                     }));
@@ -146,7 +146,8 @@ class Recordings : public Experiment {
 void mark_in_sight(std::vector<TimedScan>& scans, const InSightParams& params) {
   std::map<std::int32_t, std::pair<std::size_t, std::size_t>> in_sight;
   for (const auto& scan : scans) {
-    for (const auto& target : scan.truth.targets) in_sight[target.id] = {1, 0};  // from after to: never
+    for (const auto& target : scan.truth.targets)
+      in_sight[target.id] = {1, 0};  // an empty interval: never in sight
   }
   const auto length = static_cast<std::size_t>(params.stretch_scans);
   for (auto& [id, interval] : in_sight) {

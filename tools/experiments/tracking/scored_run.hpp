@@ -13,7 +13,7 @@
 
 namespace lookout::tools {
 
-/// What a tracker said at every scan, and what it took.
+/// What a tracker reported at every scan, and its processor time.
 struct TrackingOutput {
   /// Index by index with the scans; fewer under delayed output, whose last scans have no answer in time.
   std::vector<std::vector<core::Track>> tracks;

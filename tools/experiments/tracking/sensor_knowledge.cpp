@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* kTeachingScene = "tracking_table7.yaml";
 constexpr int kTeachingScans = 100;
-constexpr int kTeachingWindow = 40;                     // Memory is the cure for misses.
+constexpr int kTeachingWindow = 40;                     // A long one, for many misses.
 constexpr std::uint64_t kOtherSeed = 7'000'000'000ULL;  // Far from every seed of a run.
 
 double with_odds(double probability, double factor) {
@@ -17,7 +17,7 @@ double with_odds(double probability, double factor) {
   return odds / (1.0 + odds);
 }
 
-// The figures as the stream of another scene shows them to somebody who was told none.
+// The figures that an estimator which was told none learns from the stream of another scene.
 core::SonarParams taught(core::SonarParams sonar, const SceneVariant& variant, std::uint64_t seed, int run) {
   auto scene = load_variant(kTeachingScene, variant);
   sonar.miss_probability.reset();

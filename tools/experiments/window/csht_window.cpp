@@ -190,13 +190,13 @@ Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
   return metrics;
 }
 
-/// The first window of the middle cell: light clutter for the methods that vote (echoes, truth, what each
+/// The first window of the middle cell: light clutter for the methods that vote (detections, truth, what each
 /// makes of it, the vote matrices), literal clutter for the joint estimator.
 void CshtWindow::write_extras(std::uint64_t seed, const std::string& directory) const {
   const auto scene = load_variant(kScene, {0.3, 0.3, 3.0, sonar_sim::ClutterReading::light});
   const auto scans = simulate(scene, seed, 0);
   const auto sonar = sonar_sim::known_params(scene, scene.platforms.front());
-  write_echoes(scans, directory + "/window_echoes.csv");
+  write_detections(scans, directory + "/window_detections.csv");
   std::vector<core::GroundTruth> truth;
   for (const auto& timed : scans) truth.push_back(timed.truth);
   core::write_truth(directory + "/window_truth.csv", truth);

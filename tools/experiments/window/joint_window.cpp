@@ -39,7 +39,7 @@ void write_hypotheses(const csht::JointScene& scene, const std::string& director
 
 }  // namespace
 
-void write_echoes(const std::vector<TimedScan>& scans, const std::string& path) {
+void write_detections(const std::vector<TimedScan>& scans, const std::string& path) {
   core::CsvWriter csv(path, "time_s,north_m,east_m");
   std::vector<core::Detection> detections;
   for (const auto& timed : scans) {
@@ -62,7 +62,7 @@ void write_joint_window(const std::vector<TimedScan>& scans, const core::SonarPa
     elements.elements.assign(found.begin(), found.end());
     truth.push_back(timed.truth);
   }
-  write_echoes(scans, directory + "/joint_echoes.csv");
+  write_detections(scans, directory + "/joint_detections.csv");
   core::write_truth(directory + "/joint_truth.csv", truth);
   write_hypotheses(estimator.scene(), directory);
   core::write_elements(directory + "/joint_elements.csv", {elements});

@@ -11,9 +11,9 @@
 namespace lookout::tools {
 namespace {
 
-/// The echo of `target`: the return of its beam, where no nearer target owns that beam.
-std::optional<core::SonarReturn> own_echo(const TimedScan& timed, const core::TargetTruth& target,
-                                          const core::SonarParams& sonar) {
+/// The return of `target`: what its beam reported, where no nearer target owns that beam.
+std::optional<core::SonarReturn> own_return(const TimedScan& timed, const core::TargetTruth& target,
+                                            const core::SonarParams& sonar) {
   const auto& pose = timed.posed.T_earth_sonar;
   const auto seen = core::observe(sonar, pose, target.position);
   if (!seen.visible()) return std::nullopt;
@@ -22,8 +22,8 @@ std::optional<core::SonarReturn> own_echo(const TimedScan& timed, const core::Ta
     if (other.id != target.id && rival.visible() && rival.beam == seen.beam && rival.range < seen.range)
       return std::nullopt;
   }
-  for (const auto& echo : timed.posed.scan.returns) {
-    if (sonar.beam_of(echo.bearing) == seen.beam) return echo;
+  for (const auto& sonar_return : timed.posed.scan.returns) {
+    if (sonar.beam_of(sonar_return.bearing) == seen.beam) return sonar_return;
   }
   return std::nullopt;
 }
@@ -33,12 +33,13 @@ struct Normal {
   Eigen::Matrix4d information = Eigen::Matrix4d::Zero();
   Eigen::Vector4d right = Eigen::Vector4d::Zero();
 
-  void add(const core::Pose2& pose, const core::SonarReturn& echo, double time,
+  void add(const core::Pose2& pose, const core::SonarReturn& sonar_return, double time,
            const core::SonarParams& sonar) {
-    const Eigen::Vector2d p_earth = core::transform(pose, core::from_polar(echo.range, echo.bearing));
-    const double azimuth = pose.heading + echo.bearing;
+    const Eigen::Vector2d p_earth =
+        core::transform(pose, core::from_polar(sonar_return.range, sonar_return.bearing));
+    const double azimuth = pose.heading + sonar_return.bearing;
     const Eigen::Vector2d along(std::cos(azimuth), std::sin(azimuth)), across(-along.y(), along.x());
-    const double cross_sigma = echo.range * sonar.bearing_sigma_or_default();
+    const double cross_sigma = sonar_return.range * sonar.bearing_sigma_or_default();
     const Eigen::Matrix2d weight = along * along.transpose() / (sonar.range_sigma * sonar.range_sigma) +
                                    across * across.transpose() / (cross_sigma * cross_sigma);
     Eigen::Matrix<double, 2, 4> model;
@@ -64,14 +65,14 @@ std::vector<ReferenceFit> least_squares_reference(std::span<const TimedScan> sca
       const auto same = std::find_if(timed.truth.targets.begin(), timed.truth.targets.end(),
                                      [&](const auto& t) { return t.id == target.id; });
       if (same == timed.truth.targets.end()) continue;
-      const auto echo = own_echo(timed, *same, sonar);
-      if (!echo) continue;
+      const auto sonar_return = own_return(timed, *same, sonar);
+      if (!sonar_return) continue;
       const double time = core::seconds(timed.posed.scan.utime - newest.posed.scan.utime);
-      normal.add(timed.posed.T_earth_sonar, *echo, time, sonar);
-      ++fit.echoes;
+      normal.add(timed.posed.T_earth_sonar, *sonar_return, time, sonar);
+      ++fit.detections;
     }
     const Eigen::LLT<Eigen::Matrix4d> factor(normal.information);
-    if (fit.echoes < 2 || factor.info() != Eigen::Success) continue;
+    if (fit.detections < 2 || factor.info() != Eigen::Success) continue;
     fit.state = factor.solve(normal.right);
     fit.covariance = factor.solve(Eigen::Matrix4d::Identity());
     fits.push_back(fit);

@@ -11,7 +11,7 @@
 namespace lookout::tracking {
 namespace {
 
-/// Items (a) to (d) of docs/initiators.md: known to the authors' program, not stated in the paper.
+/// Values of the authors' program that the paper does not state; docs/initiators.md lists them.
 void add_unstated_knowledge(GateLogicParams& gates) {
   gates.known_course = Eigen::Vector2d(1.0, 0.0);
   gates.known_velocity = Eigen::Vector2d(500.0, 0.0);

@@ -10,7 +10,8 @@
 
 namespace lookout::tracking {
 
-/// The grid of lines of [Zeng2023] Eq. (12), as corrected in csht/line_grid.hpp, and of its comparators.
+/// The grid of lines of [Zeng2023] Eq. (12), as corrected in tracking/initiation/lines/line_grid.hpp, and of
+/// its comparators.
 struct ZengGridParams {
   int num_theta = 200;        ///< >= 1. Section 3.2.
   int num_rho = 400;          ///< >= 1. Section 3.2.

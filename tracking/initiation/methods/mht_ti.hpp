@@ -10,7 +10,8 @@
 
 namespace lookout::tracking {
 
-/// Every pair of plots of consecutive scans votes once, for the line through it. The pairs that the speed
+/// Votes in pairs: every two plots of consecutive scans form a temporary track and vote once, for the line
+/// through both; no plot votes alone, unlike in the standard transform (HtInitiator). Pairs that the speed
 /// limits refuse do not vote: without limits this is MHT-TI, with limits IHT-TI. A peak needs two votes: one
 /// pair alone is no line. Cost: pairs. Refuses windows of more than `kMaxPairs` pairs.
 class PairVotingInitiator : public HoughInitiator {

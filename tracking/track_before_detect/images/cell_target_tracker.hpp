@@ -16,13 +16,13 @@ struct CellTrack {
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`.
   double existence = 0.0;                                ///< Probability that there is a target.
   double intensity = 0.0;                                ///< Smoothed lambda [background level].
-  bool measured = false;        ///< Whether the last frame held intensity of its signature.
-  bool confirmed = false;       ///< Once true, it stays so.
-  bool inside = true;           ///< In the image at the last frame.
-  int age = 0;                  ///< Frames since its first.
-  double first_time = 0.0;      ///< [s]
-  double last_echo_time = 0.0;  ///< When its block last ranked in the best twentieth [s].
-  double outside_since = 0.0;   ///< [s], while not inside.
+  bool measured = false;             ///< Whether the last frame held intensity of its signature.
+  bool confirmed = false;            ///< Once true, it stays so.
+  bool inside = true;                ///< In the image at the last frame.
+  int age = 0;                       ///< Frames since its first.
+  double first_time = 0.0;           ///< [s]
+  double last_detection_time = 0.0;  ///< When its block last ranked in the best twentieth [s].
+  double outside_since = 0.0;        ///< [s], while not inside.
 };
 
 /// A tracker of an unknown number of targets in frames whose background is about 1, wherever its cells lie.

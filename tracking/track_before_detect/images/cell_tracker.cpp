@@ -13,7 +13,8 @@ namespace lookout::tracking {
 namespace {
 
 constexpr double kReachSigmas = 2.5;  // of a target's filtered signature around its centre
-constexpr double kEchoRank = 0.05;    // a block among the best twentieth counts as an echo of the track's own
+constexpr double kDetectionRank =
+    0.05;  // a block among the best twentieth counts as a detection of the track's own
 
 bool odd(int n) {
   return n >= 1 && n % 2 == 1;
@@ -103,7 +104,7 @@ void CellTracker::predict(double time) {
   }
 }
 
-/// The blocks that confirmed targets reach are no background for others to be ranked among.
+/// Leaves the blocks that confirmed targets reach out of the background among which blocks are ranked.
 void CellTracker::leave_out_confirmed(const CellGeometry& geometry) {
   windows_.clear();
   const Eigen::Vector2d reach =
@@ -130,13 +131,13 @@ void CellTracker::judge(const CellGeometry& geometry, double time) {
     const double rank = rank_of(track, view);
     const double ratio = p.rank_exponent * std::pow(rank, p.rank_exponent - 1.0);
     track.existence = ratio * track.existence / (ratio * track.existence + 1.0 - track.existence);
-    if (rank < kEchoRank) track.last_echo_time = time;
+    if (rank < kDetectionRank) track.last_detection_time = time;
     if (track.existence > p.confirm_existence && track.age >= p.min_age) track.confirmed = true;
   }
 }
 
-/// A block may be bright by a neighbour that the track itself does not reach: where the frame held nothing of
-/// its signature the block is no echo of it, and ranks last.
+/// A block may be bright because of a neighbouring target: where the frame held nothing of the track's own
+/// signature, its block counts as no detection and ranks last.
 double CellTracker::rank_of(const CellTrack& track, const CellView& view) const {
   if (!track.measured) return 1.0;
   return filter_.rank(
@@ -198,7 +199,7 @@ void CellTracker::start_tracks(const CellGeometry& geometry, double time) {
     const double speed = params_.motion.start_speed_sigma;
     track.covariance(2, 2) = track.covariance(3, 3) = speed * speed;
     track.existence = params_.existence.birth_existence;
-    track.first_time = track.last_echo_time = time;
+    track.first_time = track.last_detection_time = time;
     tracks_.push_back(track);
   }
 }

@@ -84,7 +84,7 @@ void ImageTracker::publish(const std::vector<CellTrack>& tracks) {
     out.covariance = track.covariance;
     out.existence = track.existence;
     out.first_utime = core::microseconds(track.first_time);
-    out.last_detection_utime = core::microseconds(track.last_echo_time);
+    out.last_detection_utime = core::microseconds(track.last_detection_time);
     tracks_.push_back(out);
   }
 }

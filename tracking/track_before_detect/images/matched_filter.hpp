@@ -30,8 +30,8 @@ class MatchedFilter {
   explicit MatchedFilter(const MatchedFilterParams& params = {});
 
   void apply(const IntensityFrame& frame);  ///< Filters a frame.
-  /// Leaves out of the tiling the blocks whose centre lies in one of the windows, so that targets that are
-  /// known stand in nobody's way. Until the next `apply`.
+  /// Leaves out of the tiling the blocks whose centre lies in one of the windows, so that known
+  /// targets do not lower the rank of others. Until the next `apply`.
   void leave_out(std::span<const CellWindow> windows);
 
   /// Filtered amplitude of a cell.

@@ -142,7 +142,7 @@ void PeakTracker::associate(const CellGeometry& geometry, double time) {
     if (!hit) continue;
     ++lives_[k].hits;
     used_[static_cast<std::size_t>(j)] = 1;
-    tracks_[k].last_echo_time = time;
+    tracks_[k].last_detection_time = time;
     correct(tracks_[k], view, centre_of(peaks_[static_cast<std::size_t>(j)]));
   }
 }
@@ -182,7 +182,7 @@ void PeakTracker::start_tracks(const CellGeometry& geometry, double time) {
     track.covariance.topLeftCorner<2, 2>() = to_position * cells.asDiagonal() * to_position.transpose();
     track.covariance(2, 2) = track.covariance(3, 3) = params_.start_speed_sigma * params_.start_speed_sigma;
     track.existence = 0.5;
-    track.first_time = track.last_echo_time = time;
+    track.first_time = track.last_detection_time = time;
     tracks_.push_back(track);
     lives_.push_back({1, 0});
   }

@@ -8,7 +8,7 @@
 namespace lookout::tools {
 namespace {
 
-TEST(SonarInitiationScene, WithoutClutterAlmostEveryEchoIsATargets) {
+TEST(SonarInitiationScene, WithoutClutterAlmostEveryDetectionIsATargets) {
   SceneVariant variant;
   variant.p_false_alarm = 1e-6;
   variant.p_miss = 1e-6;
@@ -16,12 +16,12 @@ TEST(SonarInitiationScene, WithoutClutterAlmostEveryEchoIsATargets) {
   EXPECT_EQ(made.scene.num_targets, 3);  // [Yan2018] Table 2.
   EXPECT_EQ(made.scene.scans.size(), made.scene.times.size());
   const auto strange = std::count(made.scene.target_of.begin(), made.scene.target_of.end(), -1);
-  // A gate of 99.9 %: 60 echoes leave it 0.06 times on average.
+  // A gate of 99.9 %: 60 detections leave it 0.06 times on average.
   EXPECT_GE(made.scene.target_of.size(), 55u);
   EXPECT_LE(strange, 1);
 }
 
-TEST(SonarInitiationScene, WithClutterMostEchoesAreNobodys) {
+TEST(SonarInitiationScene, WithClutterMostDetectionsAreNobodys) {
   SceneVariant variant;
   variant.p_false_alarm = 0.3;
   const SonarInitiation made = sonar_initiation("window_table2.yaml", variant, 1001, 0);

@@ -17,7 +17,7 @@ TEST(Limits, AnEasyWindowIsNearTheBound) {
   const auto limits = make_limits();
   const Metrics metrics = limits->run(cell_of(*limits, "window", 0.1), 1000, 0);
   EXPECT_EQ(metrics.at("count_correct").value, 1.0);
-  // Nobody beats knowing which echo is whose by more than chance; one window, so loosely.
+  // Nobody beats knowing which detection is whose by more than chance; one window, so loosely.
   EXPECT_GT(metrics.at("efficiency").value, 0.5);
   EXPECT_LT(metrics.at("efficiency").value, 1.5);
 }

@@ -26,7 +26,7 @@ TEST(PerfectAssociation, IsBetterThanATracker) {
     found.add(scan.truth, tracker->step(scan.posed).tracks);
   }
   EXPECT_LT(told.mean().position.total, found.mean().position.total);
-  EXPECT_LT(told.mean().position.total, 1.0);  // sigma 1 m and the late first echo of five targets
+  EXPECT_LT(told.mean().position.total, 1.0);  // sigma 1 m and the late first detection of five targets
 }
 
 TEST(PerfectAssociation, NeverReportsMoreThanIsInView) {

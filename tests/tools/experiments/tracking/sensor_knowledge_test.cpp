@@ -34,7 +34,7 @@ TEST(ToldParams, HalfAndDoubleAreOfTheOdds) {
 TEST(ToldParams, UnknownAreLearntFromAHundredScans) {
   const auto sonar = told("unknown");
   // 9,000 beam looks: one standard deviation of P_F is .005. Some 330 looks at targets: of P_M .017; the
-  // estimator's own mistakes about which echo is whose come on top.
+  // estimator's own mistakes about which detection is whose come on top.
   EXPECT_NEAR(*sonar.false_alarm_probability, 0.3, 0.02);
   EXPECT_NEAR(*sonar.miss_probability, 0.1, 0.07);
   EXPECT_NE(*sonar.false_alarm_probability, 0.3);  // learnt, not copied

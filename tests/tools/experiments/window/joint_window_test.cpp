@@ -34,9 +34,9 @@ TEST(JointWindow, ShowsDensitiesHypothesesAndWhatIsReported) {
       nearest = std::min(nearest, std::abs(means.number(k, "north_m") - elements.number(row, "north_m")));
     EXPECT_LT(nearest, 1e-9);
   }
-  constexpr std::array<std::string_view, 3> kEcho{"time_s", "north_m", "east_m"};
+  constexpr std::array<std::string_view, 3> kDetection{"time_s", "north_m", "east_m"};
   // Twenty scans, nine tenths of three targets each, and some 26 false alarms.
-  EXPECT_GT(core::CsvTable(folder.file("joint_echoes.csv"), kEcho).num_rows(), 20u * 15u);
+  EXPECT_GT(core::CsvTable(folder.file("joint_detections.csv"), kDetection).num_rows(), 20u * 15u);
 }
 
 }  // namespace

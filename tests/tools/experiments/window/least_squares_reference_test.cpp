@@ -11,7 +11,7 @@ const core::SonarParams& sonar_of(const sonar_sim::Scene& scene) {
   return scene.platforms.front().sonar.params;
 }
 
-// No misses, no clutter, no range error, true bearings: least squares on the own echoes is the truth.
+// No misses, no clutter, no range error, true bearings: least squares on the own detections is the truth.
 TEST(LeastSquaresReference, IsTheTruthWithoutErrors) {
   auto scene = load_variant("window_table2.yaml", {0.0, 0.0, 3.0, sonar_sim::ClutterReading::light});
   scene.platforms.front().sonar.echo_range_sigma = 0.0;

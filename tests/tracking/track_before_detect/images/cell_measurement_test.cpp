@@ -21,7 +21,8 @@ TEST(CellMeasurement, TwoTargetsInOneGateShareTheCells) {
 }
 
 TEST(CellMeasurement, NoiseAloneHardlyMovesATrackAndKeepsItsCovariance) {
-  // A track where there is nothing, of next to no intensity: its covariance must not shrink as by an echo.
+  // A track where there is nothing, of next to no intensity: its covariance must not shrink as by a
+  // detection.
   core::Random random(1003);
   std::vector<CellTrack> empty(1), full(1);
   for (auto* tracks : {&empty, &full}) {

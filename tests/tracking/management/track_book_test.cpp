@@ -1,4 +1,4 @@
-#include "tracking/management/trajectory_book.hpp"
+#include "tracking/management/track_book.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,8 +11,8 @@ core::PosedScan scan_at(std::int64_t utime) {
   return scan;
 }
 
-TEST(TrajectoryBook, IdentitiesAreNeverUsedAgain) {
-  TrajectoryBook book({});
+TEST(TrackBook, IdentitiesAreNeverUsedAgain) {
+  TrackBook book({});
   book.begin(0, {50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
   for (int k = 1; k <= 3; ++k) book.step(scan_at(k), {}, std::vector<char>(book.tracks().size(), 0));
   ASSERT_TRUE(book.tracks().empty());
@@ -20,8 +20,8 @@ TEST(TrajectoryBook, IdentitiesAreNeverUsedAgain) {
   EXPECT_EQ(book.tracks()[0].id, 2);
 }
 
-TEST(TrajectoryBook, KeepsTheOthersWhenOneEnds) {
-  TrajectoryBook book({});
+TEST(TrackBook, KeepsTheOthersWhenOneEnds) {
+  TrackBook book({});
   for (const double north : {40.0, 60.0, 80.0})
     book.begin(0, {north, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
   for (int k = 1; k <= 2; ++k) book.step(scan_at(k), {}, {1, 0, 1});
@@ -31,16 +31,16 @@ TEST(TrajectoryBook, KeepsTheOthersWhenOneEnds) {
   EXPECT_EQ(book.life(1).hits(), 3);
 }
 
-TEST(TrajectoryBook, OutsideTheSectorATrackCoasts) {
-  TrajectoryBook book({});
+TEST(TrackBook, OutsideTheSectorATrackCoasts) {
+  TrackBook book({});
   book.begin(0, {-50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());  // behind the vehicle
   book.step(scan_at(1), {}, {1});
   ASSERT_EQ(book.tracks().size(), 1U);
   EXPECT_EQ(book.tracks()[0].status, core::TrackStatus::coasting);
 }
 
-TEST(TrajectoryBook, PredictsFromScanToScan) {
-  TrajectoryBook book({});
+TEST(TrackBook, PredictsFromScanToScan) {
+  TrackBook book({});
   book.predict_to(2'000'000, {});
   book.begin(2'000'000, {50.0, 0.0, 1.0, 2.0}, Eigen::Matrix4d::Identity());
   book.predict_to(3'500'000, {.acceleration_sigma = 0.0});

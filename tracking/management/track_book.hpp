@@ -12,31 +12,31 @@
 
 namespace lookout::tracking {
 
-/// The living trajectories of one tracker: births with new identities, prediction to the next scan, ends.
-class TrajectoryBook {
+/// The living tracks of one tracker: births with new identities, prediction to the next scan, deletion.
+class TrackBook {
  public:
   /// @throws std::invalid_argument on a life parameter out of range.
-  explicit TrajectoryBook(const TrackLifeParams& life);
+  explicit TrackBook(const TrackLifeParams& life);
 
-  /// Carries every trajectory to `utime` [us], not earlier than the last.
+  /// Carries every track to `utime` [us], not earlier than the last.
   void predict_to(std::int64_t utime, const MotionModelParams& motion);
 
-  /// Tells every trajectory what the scan says of it and forgets those that end.
-  /// @param supported one entry a trajectory, in the order of `tracks`.
+  /// Tells every track what the scan says of it and forgets those that end.
+  /// @param supported one entry a track, in the order of `tracks`.
   void step(const core::PosedScan& scan, const core::SonarParams& sonar, const std::vector<char>& supported);
 
-  /// Begins a trajectory at the book's time with a new identity, at the end of `tracks`.
+  /// Begins a track at the book's time with a new identity, at the end of `tracks`.
   void begin(std::int64_t utime, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance);
 
-  std::int64_t next_id() const { return next_id_; }     ///< The identity of the next trajectory.
+  std::int64_t next_id() const { return next_id_; }     ///< The identity of the next track.
   void set_next_id(std::int64_t id) { next_id_ = id; }  ///< Identities go on from there.
 
-  /// The living trajectories; valid until the next step or birth.
+  /// The living tracks; valid until the next step or birth.
   std::span<core::Track> tracks() { return tracks_; }
   std::span<const core::Track> tracks() const { return tracks_; }  ///< The same, to read.
   /// What decides on confirmation and end of one of `tracks()`.
   const TrackLife& life(std::size_t index) const { return lives_[index]; }
-  /// The running mean of a trajectory's innovations, zero at birth: kept for ManoeuvreDetector.
+  /// The running mean of a track's innovations, zero at birth: kept for ManoeuvreDetector.
   Eigen::Vector2d& drift(std::size_t index) { return drifts_[index]; }
 
  private:

@@ -1,21 +1,21 @@
-#include "tracking/management/trajectory_book.hpp"
+#include "tracking/management/track_book.hpp"
 
 #include "core/field_of_view.hpp"
 #include "core/frames.hpp"
 
 namespace lookout::tracking {
 
-TrajectoryBook::TrajectoryBook(const TrackLifeParams& life) : params_(life) {
+TrackBook::TrackBook(const TrackLifeParams& life) : params_(life) {
   params_.validate();
 }
 
-void TrajectoryBook::predict_to(std::int64_t utime, const MotionModelParams& motion) {
+void TrackBook::predict_to(std::int64_t utime, const MotionModelParams& motion) {
   for (auto& track : tracks_) predict(track, core::seconds(utime - utime_), motion);
   utime_ = utime;
 }
 
-void TrajectoryBook::step(const core::PosedScan& scan, const core::SonarParams& sonar,
-                          const std::vector<char>& supported) {
+void TrackBook::step(const core::PosedScan& scan, const core::SonarParams& sonar,
+                     const std::vector<char>& supported) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const bool in_view = core::observe(sonar, scan.T_earth_sonar, tracks_[i].position()).visible();
@@ -32,8 +32,7 @@ void TrajectoryBook::step(const core::PosedScan& scan, const core::SonarParams& 
   lives_.erase(lives_.begin() + static_cast<std::ptrdiff_t>(kept), lives_.end());
 }
 
-void TrajectoryBook::begin(std::int64_t utime, const Eigen::Vector4d& state,
-                           const Eigen::Matrix4d& covariance) {
+void TrackBook::begin(std::int64_t utime, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance) {
   lives_.emplace_back(params_, utime);
   core::Track track;
   track.id = next_id_++;
