@@ -50,7 +50,7 @@ TEST(CountDecision, MissesAndClutterWeakenTheEvidence) {
 }
 
 // The same 20 detections, once 100 m ahead, once 2 m ahead: there a metre across is 30 degrees, clutter is as
-// dense on the ground as it is nowhere else, and the pile says little.
+// denser on the ground than anywhere else, and many detections in one place are weak evidence.
 TEST(CountDecision, APileBesideTheSonarIsWeakEvidence) {
   const testing::Course near{{2, 0}, {0, 0}}, far{{100, 0}, {0, 0}};
   const double beside = Fitted(testing::scans_of({near}), near).evidence();

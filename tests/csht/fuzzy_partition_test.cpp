@@ -35,8 +35,8 @@ TEST(FuzzyPartition, APointOnACentreBelongsToItAlone) {
   EXPECT_NEAR(statistics[1].core_count, 1.0, 1e-5);
 }
 
-// [Yan2018] Eq. (18)-(20): a cell with three votes is three equal samples.
-TEST(FuzzyPartition, AWeightIsThatManySamples) {
+// [Yan2018] Eq. (18)-(20): a cell with three votes is three equal sampling points.
+TEST(FuzzyPartition, AWeightIsThatManyPoints) {
   const auto weighted = points_of({{{0, 1}, 3.0F}, {{2, 0}, 1.0F}, {{9, 3}, 2.0F}});
   const auto repeated = points_of(
       {{{0, 1}, 1.0F}, {{0, 1}, 1.0F}, {{0, 1}, 1.0F}, {{2, 0}, 1.0F}, {{9, 3}, 1.0F}, {{9, 3}, 1.0F}});
@@ -50,8 +50,8 @@ TEST(FuzzyPartition, AWeightIsThatManySamples) {
   }
 }
 
-// One centre: all memberships are 1, so S of Eq. (27) is the sample deviation with N - 1.
-TEST(FuzzyPartition, DeviationIsThatOfTheSamples) {
+// One centre: all memberships are 1, so S of Eq. (27) is the deviation of the points with N - 1.
+TEST(FuzzyPartition, DeviationIsThatOfThePoints) {
   const auto points = points_of({{{-1, 0}, 2.0F}, {{1, 0}, 2.0F}});
   FuzzyPartition partition(2.0);
   const std::vector<FeaturePoint> centres{{0, 0}};

@@ -42,7 +42,7 @@ std::vector<LineSample> random_samples(int num_scans, core::Random& random) {
   return samples;
 }
 
-// Ten samples on n = 12.5 + 1 t meet in the cell [12, 13) of the row 1 m/s, and nowhere else. Eq. (16).
+// Ten line samples on n = 12.5 + 1 t meet in the cell [12, 13) of the row 1 m/s, and nowhere else. Eq. (16).
 TEST(HoughSpace, SamplesOfALineMeetInItsCell) {
   HoughSpace space(kGrid, plain(), 1.0, 1.0);
   space.add(samples_on(12.5, 1.0, 10));
@@ -90,7 +90,7 @@ TEST(HoughSpace, SlidingEqualsVotingAnew) {
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_TRUE(a[k] == b[k]);
 }
 
-// Two samples of one scan on one place are one piece of evidence; of two scans they are two.
+// Two line samples of one scan in one place are one piece of evidence; of two scans they are two.
 TEST(HoughSpace, AScanGivesACellItsMaximum) {
   HoughSpace same(kGrid, {}, 1.0, 1.0), other(kGrid, {}, 1.0, 1.0), single(kGrid, {}, 1.0, 1.0);
   single.add(std::vector<LineSample>{{0, 0.0, 5.5, 1.0}});

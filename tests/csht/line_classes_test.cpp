@@ -19,7 +19,7 @@ void add_line(std::vector<LineSample>& samples, const Line& line) {
   }
 }
 
-/// Whether a class lies within two grid steps of the line: the refit finds its samples from there.
+/// Whether a class lies within two grid steps of the line: the refit finds its detections from there.
 bool has_line(std::span<const Line> lines, const Line& wanted) {
   return std::any_of(lines.begin(), lines.end(), [&](const Line& line) {
     return std::hypot((line.velocity - wanted.velocity) / kGrid.velocity_step,

@@ -9,8 +9,8 @@ SingleLine extractor() {
   return {{}, HoughSpace({0.4, 1.5, 5.0, 300.0}, {}, 3.0, 3.0)};
 }
 
-// Exact samples: the mean of the cells about the peak is the line to a quarter of a grid step (the peak is
-// symmetric, the cells' phases about it are not).
+// Exact line samples: the mean of the cells about the peak is the line to a quarter of a grid step (the peak
+// is symmetric, the cells' phases about it are not).
 TEST(SingleLine, FindsTheLineOfExactSamples) {
   std::vector<LineSample> samples;
   for (int k = 0; k < 20; ++k) samples.push_back({k, 0.5 * k, 10.0 + 1.3 * 0.5 * k, 3.0});

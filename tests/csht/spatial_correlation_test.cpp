@@ -11,7 +11,7 @@ SpatialCorrelation correlation(int max_lines) {
   return {params, 3.0, SingleLine({}, HoughSpace({0.4, 1.5, 5.0, 300.0}, {}, 3.0, 3.0))};
 }
 
-/// Samples of one target: north n0 + vn t, east e0 + ve t.
+/// Line samples of one target: north n0 + vn t, east e0 + ve t.
 struct Samples {
   std::vector<LineSample> north, east;
   void add(Line n, Line e) {
@@ -45,7 +45,7 @@ TEST(SpatialCorrelation, SeparatesTwoTargetsOnOneNorthLine) {
   EXPECT_NEAR(std::abs(lines[0].intercept - lines[1].intercept), 80.0, 1.0);
 }
 
-// Crossing courses: the gate is taken at each sample's own time, not at the end. Corrects Eq. (41).
+// Crossing courses: the gate is taken at each line sample's own time, not at the end. Corrects Eq. (41).
 TEST(SpatialCorrelation, GatesAtTheSamplesOwnTime) {
   Samples samples;
   samples.add({3.0, 0.0}, {0.0, 0.0});

@@ -10,7 +10,7 @@
 namespace lookout::tracking {
 namespace {
 
-/// Scan `k`: two targets at rest, heard four times of five, and as many false points.
+/// Scan `k`: two targets at rest, detected four times of five, and as many false alarms.
 core::PosedScan noisy_scan(int k, int num_false, core::Random& random) {
   std::vector<Eigen::Vector2d> points;
   if (k % 5 != 0) points = {{60.0, -20.0}, {90.0, 20.0}};

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/gate_shapes.hpp"
 
 namespace lookout::core {
 class YamlMap;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tracking/initiation/initiator.hpp"
-#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/gate_shapes.hpp"
 #include "tracking/initiation/plots/track_fit.hpp"
 
 namespace lookout::tracking {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tracking/initiation/lines/line_geometry.hpp"
-#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/gate_shapes.hpp"
 #include "tracking/initiation/plots/plot_index.hpp"
 #include "tracking/initiation/plots/plot_window.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "tracking/initiation/initiator.hpp"
 #include "tracking/initiation/initiator_config.hpp"
-#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/gate_shapes.hpp"
 #include "tracking/initiation/plots/plot_index.hpp"
 #include "tracking/initiation/plots/track_fit.hpp"
 

@@ -2,7 +2,7 @@
 // of plots; docs/initiators.md.
 #pragma once
 
-#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/gate_shapes.hpp"
 #include "tracking/initiation/plots/track_fit.hpp"
 
 namespace lookout::tracking {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/gate_shapes.hpp"
 #include "tracking/initiation/plots/plot_index.hpp"
 #include "tracking/initiation/plots/track_fit.hpp"
 

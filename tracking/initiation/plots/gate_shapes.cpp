@@ -1,4 +1,4 @@
-#include "tracking/initiation/plots/gates.hpp"
+#include "tracking/initiation/plots/gate_shapes.hpp"
 
 #include <cmath>
 
