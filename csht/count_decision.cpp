@@ -98,7 +98,7 @@ CountDecision::Rates CountDecision::rates(const Candidate& candidate, const Houg
 }
 
 /// Evidence [nats] of a scan without a detection of the candidate's own: from its beam and, where it is near
-/// the beam's edge, from the neighbouring beam, whichever speaks more for a target.
+/// the beam's edge, from the neighbouring beam, whichever is greater.
 double CountDecision::without_detection(const HoughWindow& window, std::size_t scan,
                                         const core::SonarPoint& point, const std::vector<char>& free,
                                         const Rates& rates) const {

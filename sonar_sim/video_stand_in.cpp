@@ -150,7 +150,7 @@ VideoStandIn::VideoStandIn(const VideoScenario& scenario, const VideoStandInPara
   paint_trees(random);
 }
 
-/// The path's middle lies in the middle of the frame, give or take a twentieth of its side.
+/// The path's middle lies within a twentieth of the frame's side of the middle of the frame.
 void VideoStandIn::lay_path(core::Random& random) {
   const double heading = random.uniform(-params_.max_heading, params_.max_heading);
   direction_ = {std::cos(heading), std::sin(heading)};

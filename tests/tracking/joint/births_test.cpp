@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "tests/tracking/joint/joint_scenes.hpp"
+#include "tests/tracking/joint/track_scenes.hpp"
 
 namespace lookout::tracking {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/tracking/joint/joint_scenes.hpp"
+#include "tests/tracking/joint/track_scenes.hpp"
 
 namespace lookout::tracking {
 namespace {

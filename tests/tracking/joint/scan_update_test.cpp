@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "tests/tracking/joint/joint_scenes.hpp"
+#include "tests/tracking/joint/track_scenes.hpp"
 
 namespace lookout::tracking {
 namespace {

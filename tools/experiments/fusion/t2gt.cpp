@@ -77,7 +77,7 @@ std::vector<std::int64_t> identities(std::span<const core::Track> tracks,
   return ids;
 }
 
-/// A target whose track was found to be another one goes on as that one.
+/// A target whose global track was merged is followed by the one that was kept, unless another target has it.
 void follow_mergers(const fusion::Fusion& fusion, std::vector<std::int64_t>& ids) {
   for (const auto& [ended, kept] : fusion.merged()) {
     if (std::find(ids.begin(), ids.end(), kept) == ids.end())

@@ -111,7 +111,7 @@ Metrics measure_on_sonar(const Cell& cell, std::uint64_t seed, int run) {
   variant.clutter = clutter_reading(p.text("clutter"));
   const auto initiation = sonar_initiation(p.text("scenario") + ".yaml", variant, seed, run);
   const auto config = tracking::for_sonar(initiation.sonar, cell.method, {});
-  // On the vehicle the tracker goes on with a track that misses detections: it starts once.
+  // On the vehicle the tracker keeps a track through misses, so that a target starts once.
   const InitiationRun result = run_sliding(initiation.scene, cell.method, config, *config.window_scans);
   return track_metrics(initiation.scene, result, *config.window_scans, TrueTrack::share);
 }

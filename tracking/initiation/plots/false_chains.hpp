@@ -14,11 +14,11 @@ namespace lookout::tracking {
 /// further plot, clutter density x sqrt(det S) of its innovation.
 double log_false_chains(double log_false, double chi_square, int plots, int scans);
 
-/// Tells a fit of few plots that no target is faster than the limit by much: a velocity of zero, give or take
-/// the limit [m/s] along each axis.
+/// Updates a fit of few plots with what is known of speeds: a measured velocity of zero whose standard
+/// deviation is the limit [m/s] along each axis.
 void add_speed_prior(double max_speed, TrackFit& fit);
 
-/// Whether the speed of a fit keeps the limits, give or take so many of its sigmas.
+/// Whether the speed of a fit keeps the limits, widened by so many of its sigmas.
 bool speed_allowed(const TrackFit& fit, const SpeedLimits& speeds, double margin_sigmas);
 
 }  // namespace lookout::tracking

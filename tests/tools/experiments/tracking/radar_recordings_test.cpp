@@ -1,4 +1,4 @@
-#include "tools/experiments/tracking/recordings.hpp"
+#include "tools/experiments/tracking/radar_recordings.hpp"
 
 #include <gtest/gtest.h>
 
