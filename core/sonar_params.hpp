@@ -21,8 +21,8 @@ struct SonarParams {
   std::optional<double> bearing_sigma;    ///< [rad], > 0; absent: see `bearing_sigma_or_default`.
   double heading_sigma = 0.0;   ///< Standard deviation of the heading that a scan's pose states [rad], >= 0,
   double position_sigma = 0.0;  ///< and of its north and east [m], >= 0: errors of navigation.
-  /// Two targets this far apart give two returns every other time, nearer ones mostly one [m], >= 0; 0: each
-  /// its own. Used for sensors without beams.
+  /// Distance at which two targets give two returns in half of the scans, nearer ones mostly one [m]; >= 0,
+  /// 0: each target gives its own return always. Used for sensors without beams.
   double resolution = 0.0;
   double max_speed = 3.0;    ///< Fastest target over ground [m/s], > 0.
   double scan_period = 0.5;  ///< Nominal time between scans [s], > 0.

@@ -7,14 +7,14 @@
 
 namespace lookout::core {
 
-/// One echo of a scan, in the sonar frame.
+/// One return of a scan, in the sonar frame.
 struct SonarReturn {
   double bearing = 0.0;    ///< [rad], positive to starboard of the sonar axis.
   double range = 0.0;      ///< [m], in (0, max_range].
   double intensity = 1.0;  ///< Of the sensor's own unit.
 };
 
-/// One ping of a multi-beam sonar (or one sweep of any point sensor): what it returned and the geometry it
+/// One ping of a multi-beam sonar (or one turn of any point sensor): what it returned and the geometry it
 /// holds in.
 struct SonarScan {
   std::int64_t utime = 0;            ///< Scenario time [us].

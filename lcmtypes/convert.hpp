@@ -31,7 +31,7 @@
 namespace lookout::lcmtypes {
 
 inline constexpr std::size_t kMaxListed = 300;    ///< Tracks or elements in one message.
-inline constexpr std::size_t kMaxReturns = 2700;  ///< Echoes in one message: 24 bytes each.
+inline constexpr std::size_t kMaxReturns = 2700;  ///< Returns in one message: 24 bytes each.
 inline constexpr std::size_t kMaxTargets = 1700;  ///< True targets in one message: 37 bytes each.
 inline constexpr std::size_t kMaxPixels = 32700;  ///< Beams x bins of an image in one message: 2 bytes each.
 
