@@ -1,5 +1,6 @@
 #include "sonar_sim/sea/sea_reader.hpp"
 
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -24,8 +25,8 @@ std::pair<double, double> read_interval(const YamlMap& map, const std::string& k
   if (!map.has(key)) map.fail(key, "is missing, expected [from, to]");
   const auto numbers = map.numbers(key);
   if (numbers.size() != 2 || numbers[0] >= numbers[1] || numbers[0] < range.min || numbers[1] > range.max)
-    map.fail(key, "expected [from, to] with from below to" +
-                      (range.min == 0.0 ? std::string(" and not below 0") : std::string()));
+    map.fail(key, range.min == 0.0 ? "expected [from, to] with from below to and not below 0"
+                                   : "expected [from, to] with from below to");
   return {numbers[0], numbers[1]};
 }
 
@@ -63,9 +64,11 @@ HeavyTails read_heavy_tails(const YamlMap& map) {
 std::vector<double> read_list(const YamlMap& map, const std::string& key, const Range& range) {
   auto numbers = map.numbers(key);
   for (const double number : numbers)
-    if (number < range.min || number > range.max)
-      map.fail(key, "expected numbers from " + std::to_string(static_cast<int>(range.min)) + " to " +
-                        std::to_string(static_cast<int>(range.max)));
+    if (number < range.min || number > range.max) {
+      std::ostringstream expected;
+      expected << "expected numbers from " << range.min << " to " << range.max;
+      map.fail(key, expected.str());
+    }
   return numbers;
 }
 

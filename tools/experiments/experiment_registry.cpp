@@ -13,7 +13,7 @@
 #include "tools/experiments/tracking/csht_tracking.hpp"
 #include "tools/experiments/tracking/limits.hpp"
 #include "tools/experiments/tracking/manoeuvres.hpp"
-#include "tools/experiments/tracking/recordings.hpp"
+#include "tools/experiments/tracking/radar_recordings.hpp"
 #include "tools/experiments/tracking/sea.hpp"
 #include "tools/experiments/window/csht_window.hpp"
 

@@ -6,7 +6,7 @@
 #include "core/frames.hpp"
 #include "tools/experiments/tracking/sea_scene.hpp"
 #include "tools/experiments/tracking/sensor_knowledge.hpp"
-#include "tools/experiments/tracking/tracking_run.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {
