@@ -26,14 +26,16 @@ struct MotionElement {
   Eigen::Vector4d state() const { return {position.x(), position.y(), velocity.x(), velocity.y()}; }
 };
 
-/// The registry numbers of the estimators, as on the wire (motion_elements_t.method).
+/// The numbers of the estimators, as on the wire (motion_elements_t.method). An estimator from outside the
+/// library is `other`: the registry names it, the wire does not.
 enum class EstimatorMethod : std::int8_t {
   csht = 0,
   sht = 1,
   joint = 2,
   ransac = 3,
   h_pmht = 4,
-  csht_printed = 5
+  csht_printed = 5,
+  other = 127
 };
 
 }  // namespace lookout::core

@@ -13,6 +13,11 @@ constexpr std::int8_t kLastStatus = static_cast<std::int8_t>(core::TrackStatus::
 constexpr int kStates = 4;
 using RowMajor4 = Eigen::Matrix<double, kStates, kStates, Eigen::RowMajor>;
 
+bool is_method(std::int8_t number) {
+  return (number >= 0 && number <= kLastMethod) ||
+         number == static_cast<std::int8_t>(core::EstimatorMethod::other);
+}
+
 bool all_finite_covariance(const double (&covariance)[kStates][kStates]) {
   return std::all_of(&covariance[0][0], &covariance[0][0] + kStates * kStates,
                      [](double value) { return std::isfinite(value); });
@@ -123,7 +128,7 @@ Converted<KeyedElements> to_core(const motion_elements_t& wire) {
   if (!agrees(wire.num_elements, wire.elements.size()))
     return {{}, "motion elements: number disagrees with the list"};
   if (wire.elements.size() > kMaxListed) return {{}, "motion elements: too many"};
-  if (wire.method < 0 || wire.method > kLastMethod) return {{}, "motion elements: unknown method"};
+  if (!is_method(wire.method)) return {{}, "motion elements: unknown method"};
   if (!all_valid(wire.elements)) return {{}, "motion elements: an entry is damaged"};
   KeyedElements keyed;
   keyed.key = {wire.utime, wire.sequence, wire.sensor_id};

@@ -26,6 +26,16 @@ TEST(ConvertTracks, ElementsThereAndBack) {
   EXPECT_EQ(element.support, 8);
 }
 
+TEST(ConvertTracks, AMethodFromOutsideGoesThereAndBackAndAnUnknownNumberDoesNot) {
+  auto wire = to_wire(kExampleKey, core::EstimatorMethod::other, 20, {}).message;
+  EXPECT_EQ(wire.method, 127);  // lcmtypes/motion_elements_t.lcm
+  EXPECT_EQ(to_core(wire).value->method, core::EstimatorMethod::other);
+  for (const int unknown : {-1, 6, 126}) {
+    wire.method = static_cast<std::int8_t>(unknown);
+    EXPECT_FALSE(to_core(wire).value) << unknown;
+  }
+}
+
 TEST(ConvertTracks, TracksThereAndBack) {
   const auto back = to_core(example_wire(static_cast<const track_list_t*>(nullptr))).value;
   ASSERT_TRUE(back);
