@@ -1,7 +1,9 @@
 #include "csht/estimator_registry.hpp"
 
-#include <functional>
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
+#include <utility>
 
 #include "core/yaml_reader.hpp"
 #include "csht/baselines/csht_printed_estimator.hpp"
@@ -15,12 +17,12 @@ namespace {
 
 constexpr core::Range kWindowScans{3, 100};
 
-using Factory = std::function<std::unique_ptr<MotionEstimator>(const EstimatorParams&,
-                                                               const core::SonarParams&, std::uint64_t seed)>;
+/// On raw images, in place of the whole chain (tracking/track_before_detect): a name that no estimator has.
+constexpr const char* kImageEstimator = "h_pmht";
 
 struct Entry {
   std::string name;
-  Factory make;
+  MakeEstimator make;
 };
 
 std::unique_ptr<MotionEstimator> make_csht(const EstimatorParams& params, const core::SonarParams& sonar,
@@ -57,9 +59,9 @@ std::unique_ptr<MotionEstimator> make_ransac(const EstimatorParams& params, cons
   return std::make_unique<RansacEstimator>(ransac, sonar, seed);
 }
 
-/// One line an estimator.
-const std::vector<Entry>& registry() {
-  static const std::vector<Entry> entries{
+/// One line an estimator; those from outside follow.
+std::vector<Entry>& registry() {
+  static std::vector<Entry> entries{
       {"joint", make_joint},
       {"csht", make_csht},
       {"csht_printed", make_baseline<CshtPrintedParams, CshtPrintedEstimator>},
@@ -77,11 +79,31 @@ void validate(const EstimatorParams& params) {
                                 std::to_string(params.first_estimate_scans));
 }
 
+bool is_name(const std::string& text) {
+  const auto is_part = [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '_'; };
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_part);
+}
+
+bool is_taken(const std::string& name) {
+  const auto has_name = [&name](const Entry& entry) { return entry.name == name; };
+  return name == kImageEstimator || std::any_of(registry().begin(), registry().end(), has_name);
+}
+
 }  // namespace
+
+void register_estimator(const std::string& name, MakeEstimator make) {
+  if (!is_name(name))
+    throw std::invalid_argument("an estimator's name must be letters, digits and underscores, got `" + name +
+                                "`");
+  if (is_taken(name)) throw std::invalid_argument("the estimator `" + name + "` exists already");
+  if (make == nullptr)
+    throw std::invalid_argument("the estimator `" + name + "` has no function that makes it");
+  registry().push_back({name, std::move(make)});
+}
 
 void read_estimator_params(const core::YamlMap& map, EstimatorParams& params) {
   std::vector<std::string> names = estimator_names();
-  names.emplace_back("h_pmht");  // on raw images, in place of the whole chain: tracking/track_before_detect
+  names.emplace_back(kImageEstimator);
   params.name = map.choice("name", params.name, names);
   params.window_scans = map.integer("window_scans", params.window_scans, kWindowScans);
   const core::Range first_scans{kWindowScans.min, static_cast<double>(params.window_scans)};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +34,20 @@ struct EstimatorParams {
 /// Reads `name`, `window_scans` and `first_estimate_scans`, and calls map.finish().
 /// @throws core::InputError on an unknown key or name, or a value out of range.
 void read_estimator_params(const core::YamlMap& map, EstimatorParams& params);
+
+/// Makes an estimator from what a user chose, what is told of the sensor and the seed of its draws; never
+/// null.
+using MakeEstimator = std::function<std::unique_ptr<MotionEstimator>(
+    const EstimatorParams&, const core::SonarParams&, std::uint64_t seed)>;
+
+/// Adds an estimator from outside the library to those that go by name: `estimator_names()`, a configuration
+/// and the command line know it from then on. Its `method()` is core::EstimatorMethod::other.
+///
+/// The table behind it is the one piece of global state here: it only grows, is not guarded, and is meant to
+/// be filled at the start of a program, before there are threads.
+/// @param name letters, digits and underscores.
+/// @throws std::invalid_argument on another name, a name that is taken, or an empty `make`.
+void register_estimator(const std::string& name, MakeEstimator make);
 
 /// The names that `make_estimator` accepts, in the order in which they are shown to a user.
 std::vector<std::string> estimator_names();

@@ -35,5 +35,36 @@ TEST(EstimatorRegistry, ShowsTheValueThatItRefuses) {
   EXPECT_THROW(make_estimator("nonsense", {}, {}, 1), std::invalid_argument);
 }
 
+/// Answers nothing; as if from outside the library.
+class Silent final : public MotionEstimator {
+ public:
+  std::span<const core::MotionElement> update(const core::PosedScan&) override { return {}; }
+  core::EstimatorMethod method() const override { return core::EstimatorMethod::other; }
+  int window_scans() const override { return 7; }
+};
+
+std::unique_ptr<MotionEstimator> make_silent(const EstimatorParams&, const core::SonarParams&,
+                                             std::uint64_t) {
+  return std::make_unique<Silent>();
+}
+
+TEST(RegisterEstimator, RefusesATakenNameABadOneAndNothing) {
+  EXPECT_THROW(register_estimator("csht", &make_silent), std::invalid_argument);
+  EXPECT_THROW(register_estimator("h_pmht", &make_silent), std::invalid_argument);
+  EXPECT_THROW(register_estimator("two words", &make_silent), std::invalid_argument);
+  EXPECT_THROW(register_estimator("", &make_silent), std::invalid_argument);
+  EXPECT_THROW(register_estimator("none", nullptr), std::invalid_argument);
+  EXPECT_EQ(estimator_names().size(), 5u);
+}
+
+// The last test here: what is registered stays.
+TEST(RegisterEstimator, IsKnownToNamesToAConfigurationAndToItsMaker) {
+  register_estimator("silent", &make_silent);
+  EXPECT_EQ(estimator_names().back(), "silent");
+  EXPECT_EQ(read("name: silent\n").name, "silent");
+  EXPECT_EQ(make_estimator("silent", {}, {}, 1)->window_scans(), 7);
+  EXPECT_THROW(register_estimator("silent", &make_silent), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lookout::csht

@@ -92,7 +92,8 @@ void add_long_windows(const PaperFigures& paper, std::vector<Cell>& cells) {
   for (const int window_scans : {40, 60}) {
     for (const char* clutter : {"light", "literal"})
       add_table("joint", paper, {.clutter = clutter, .window_scans = window_scans}, cells);
-    for (const char* method : {"csht", "csht_printed", "sht", "ransac"}) {
+    for (const auto& method : csht::estimator_names()) {
+      if (method == "joint") continue;
       for (const double p : {0.1, 0.3, 0.5, 0.7}) {
         cells.push_back(
             cell_of(method, paper, {.p_false_alarm = p, .p_miss = p, .window_scans = window_scans}));
@@ -128,8 +129,7 @@ std::vector<Cell> CshtWindow::cells() const {
   const PaperFigures paper("yan2018_window_tables.csv");
   std::vector<Cell> cells;
   for (const char* clutter : {"light", "literal"})
-    for (const char* method : {"joint", "csht", "csht_printed", "sht", "ransac"})
-      add_table(method, paper, {.clutter = clutter}, cells);
+    for (const auto& method : csht::estimator_names()) add_table(method, paper, {.clutter = clutter}, cells);
   add_long_windows(paper, cells);
   add_unknown_figures(paper, cells);
   return cells;
