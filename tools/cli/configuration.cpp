@@ -5,6 +5,7 @@
 #include "core/csv.hpp"
 #include "core/input_error.hpp"
 #include "core/yaml_reader.hpp"
+#include "tracking/initiation/initiator_registry.hpp"
 #include "tracking/tracking_chain.hpp"
 
 namespace lookout::tools {
@@ -30,12 +31,23 @@ void read_tracker(const core::YamlMap& map, const std::string& chosen_tracker,
                               params.initiator + "` alone, not of `" + tracker + "`");
 }
 
+/// What the keys of `initiator:` are for: the initiator of points where one is given, else the birth method.
+void read_initiator(const core::YamlMap& map, const std::string& of_points, const std::string& chosen_tracker,
+                    Configuration& configuration) {
+  const tracking::TrackerParams& tracker = configuration.tracker;
+  const std::string& tracker_name = chosen_tracker.empty() ? tracker.name : chosen_tracker;
+  const bool own_births = tracker.initiator == tracker_name;
+  const auto use = of_points.empty() ? tracking::InitiatorUse::births : tracking::InitiatorUse::points;
+  const std::string births = own_births ? "" : tracker.initiator;
+  tracking::read_initiator_config(map, of_points.empty() ? births : of_points, use, configuration.initiator);
+}
+
 void read_configuration(const core::YamlMap& map, const std::string& chosen_tracker,
-                        Configuration& configuration) {
+                        const std::string& initiator, Configuration& configuration) {
   if (const auto part = map.map("sensor")) core::read_sonar_params(*part, configuration.sensor);
   if (const auto part = map.map("estimator")) csht::read_estimator_params(*part, configuration.estimator);
   if (const auto part = map.map("tracker")) read_tracker(*part, chosen_tracker, configuration.tracker);
-  if (const auto part = map.map("initiator")) tracking::read_initiator_config(*part, configuration.initiator);
+  if (const auto part = map.map("initiator")) read_initiator(*part, initiator, chosen_tracker, configuration);
   if (const auto part = map.map("output")) tracking::read_output_params(*part, configuration.tracker);
   if (const auto part = map.map("tbd")) tracking::read_tbd_params(*part, configuration.tbd);
   if (const auto part = map.map("fusion")) fusion::read_fusion_params(*part, configuration.fusion);
@@ -114,13 +126,14 @@ std::vector<std::string> estimator_choices() {
   return names;
 }
 
-Configuration load_configuration(const Options& options, const core::SonarParams& known) {
+Configuration load_configuration(const Options& options, const core::SonarParams& known,
+                                 const std::string& initiator) {
   Configuration configuration;
   configuration.sensor = known;
   configuration.tracker.name = kDefaultTracker;
   configuration.estimator.name.clear();  // not chosen yet
   if (!options.config.empty())
-    read_configuration(core::YamlMap::load_file(options.config), options.tracker, configuration);
+    read_configuration(core::YamlMap::load_file(options.config), options.tracker, initiator, configuration);
   apply_name("--estimator", options.estimator, estimator_choices(), configuration.estimator.name);
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
   configuration.explain = options.explain;

@@ -30,8 +30,11 @@ std::vector<std::string> estimator_choices();
 
 /// Reads --config (every part of it, so that a mistake anywhere is found), then applies the flags.
 /// @param known what is known of the sensor beforehand; the configuration's `sensor` part stands over it.
+/// @param initiator that works on recorded points, and whose keys the `initiator:` part holds; empty: they
+/// are those of the birth method.
 /// @throws core::InputError naming file, line, column and key, or the flag.
-Configuration load_configuration(const Options& options, const core::SonarParams& known = {});
+Configuration load_configuration(const Options& options, const core::SonarParams& known = {},
+                                 const std::string& initiator = {});
 
 /// Refuses flags and keys that were given and would do nothing beside the rest; for the commands that track.
 /// @throws core::InputError naming the flag or the key.

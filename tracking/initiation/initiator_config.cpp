@@ -15,15 +15,82 @@ void require_positive(const std::optional<double>& value, const char* field) {
   if (value) core::require_positive(field, *value);
 }
 
-std::optional<int> optional_integer(const core::YamlMap& map, const char* key, std::optional<int> before,
-                                    double least) {
-  if (!map.has(key)) return before;
-  return map.integer(key, 0, core::Range{least, 1e6});
+using Config = InitiatorConfig;
+constexpr core::Range kShare{0.0, 1.0, true};
+constexpr double kDegree = core::radians(1.0);
+constexpr double kMostCounted = 1e6;  // Scans, plots or tracks.
+
+/// A common key that reads a number; what is read times `unit` is SI.
+struct NumberKey {
+  const char* name;
+  std::optional<double> Config::*field;
+  core::Range accepted;
+  double unit = 1.0;
+};
+
+/// A common key that reads a whole number.
+struct CountKey {
+  const char* name;
+  std::optional<int> Config::*field;
+  int least;
+};
+
+constexpr NumberKey kNumberKeys[] = {
+    {"range_sigma", &Config::range_sigma, core::kPositive},
+    {"azimuth_sigma_deg", &Config::azimuth_sigma, core::kPositive, kDegree},
+    {"min_speed", &Config::min_speed, core::kNotNegative},
+    {"max_speed", &Config::max_speed, core::kPositive},
+    {"acceleration_sigma", &Config::acceleration_sigma, core::kNotNegative},
+    {"gate_margin", &Config::gate_margin, core::kNotNegative},
+    {"max_turn_deg", &Config::max_turn, {0.0, 180.0, true}, kDegree},
+    {"rho_step", &Config::rho_step, core::kPositive},
+    {"theta_step_deg", &Config::theta_step, {0.0, 45.0, true}, kDegree},
+    {"rho_tolerance", &Config::rho_tolerance, core::kPositive},
+    {"theta_tolerance_deg", &Config::theta_tolerance, core::kPositive, kDegree},
+    {"sensor_range", &Config::sensor_range, core::kPositive},
+    {"peak_threshold", &Config::peak_threshold, kShare},
+    {"gate_probability", &Config::gate_probability, {0.0, 0.999999999, true}},
+    {"max_false_tracks", &Config::max_false_tracks, core::kPositive},
+    {"clutter_per_area", &Config::clutter_per_area, core::kPositive},
+};
+
+constexpr CountKey kCountKeys[] = {
+    {"window_scans", &Config::window_scans, 2},
+    {"min_plots", &Config::min_plots, 2},
+    {"max_tracks", &Config::max_tracks, 1},
+};
+
+constexpr const char* kVariant = "variant";
+constexpr const char* kPositionSigma = "position_sigma";
+
+/// @return whether it is a key of that kind.
+bool read_number(const core::YamlMap& map, const std::string& name, Config& config) {
+  for (const NumberKey& key : kNumberKeys) {
+    if (name != key.name) continue;
+    if (const auto given = map.optional_number(name, key.accepted)) config.*key.field = *given * key.unit;
+    return true;
+  }
+  return false;
 }
 
-void read(const core::YamlMap& map, const char* key, const core::Range& range, std::optional<double>& value,
-          double unit = 1.0) {
-  if (const auto given = map.optional_number(key, range)) value = *given * unit;
+/// @return whether it is a key of that kind.
+bool read_count(const core::YamlMap& map, const std::string& name, Config& config) {
+  for (const CountKey& key : kCountKeys) {
+    if (name != key.name) continue;
+    const core::Range accepted{static_cast<double>(key.least), kMostCounted};
+    if (map.has(name)) config.*key.field = map.integer(name, key.least, accepted);
+    return true;
+  }
+  return false;
+}
+
+void read_key(const core::YamlMap& map, const InitiatorKey& key, Config& config) {
+  if (key.name == kVariant)
+    config.variant = map.text(key.name, config.variant);
+  else if (key.name == kPositionSigma)
+    config.position_sigma = map.number(key.name, config.position_sigma, core::kPositive);
+  else if (!read_number(map, key.name, config) && !read_count(map, key.name, config))
+    if (const auto given = map.optional_number(key.name, key.accepted)) config.own[key.name] = *given;
 }
 
 }  // namespace
@@ -43,6 +110,11 @@ Eigen::Matrix2d polar_noise(const Eigen::Vector2d& offset, double range_sigma, d
 Eigen::Matrix2d InitiatorConfig::noise_at(const Eigen::Vector2d& position) const {
   if (range_sigma && azimuth_sigma) return polar_noise(position, *range_sigma, *azimuth_sigma);
   return position_sigma * position_sigma * Eigen::Matrix2d::Identity();
+}
+
+double InitiatorConfig::own_number(const std::string& key, double fallback) const {
+  const auto given = own.find(key);
+  return given == own.end() ? fallback : given->second;
 }
 
 void InitiatorConfig::validate() const {
@@ -97,30 +169,16 @@ SpeedLimits speed_limits(const InitiatorConfig& config, const SpeedLimits& of_pa
   return speeds;
 }
 
-void read_initiator_config(const core::YamlMap& map, InitiatorConfig& config) {
-  const core::Range share{0.0, 1.0, true};
-  const double degree = core::radians(1.0);
-  config.variant = map.text("variant", config.variant);
-  config.position_sigma = map.number("position_sigma", config.position_sigma, core::kPositive);
-  read(map, "range_sigma", core::kPositive, config.range_sigma);
-  read(map, "azimuth_sigma_deg", core::kPositive, config.azimuth_sigma, degree);
-  read(map, "min_speed", core::kNotNegative, config.min_speed);
-  read(map, "max_speed", core::kPositive, config.max_speed);
-  read(map, "acceleration_sigma", core::kNotNegative, config.acceleration_sigma);
-  read(map, "gate_margin", core::kNotNegative, config.gate_margin);
-  read(map, "max_turn_deg", core::Range{0.0, 180.0, true}, config.max_turn, degree);
-  config.window_scans = optional_integer(map, "window_scans", config.window_scans, 2);
-  config.min_plots = optional_integer(map, "min_plots", config.min_plots, 2);
-  read(map, "rho_step", core::kPositive, config.rho_step);
-  read(map, "theta_step_deg", core::Range{0.0, 45.0, true}, config.theta_step, degree);
-  read(map, "rho_tolerance", core::kPositive, config.rho_tolerance);
-  read(map, "theta_tolerance_deg", core::kPositive, config.theta_tolerance, degree);
-  read(map, "sensor_range", core::kPositive, config.sensor_range);
-  read(map, "peak_threshold", share, config.peak_threshold);
-  config.max_tracks = optional_integer(map, "max_tracks", config.max_tracks, 1);
-  read(map, "gate_probability", core::Range{0.0, 0.999999999, true}, config.gate_probability);
-  read(map, "max_false_tracks", core::kPositive, config.max_false_tracks);
-  read(map, "clutter_per_area", core::kPositive, config.clutter_per_area);
+std::vector<std::string> common_initiator_keys() {
+  std::vector<std::string> names{kVariant, kPositionSigma};
+  for (const NumberKey& key : kNumberKeys) names.emplace_back(key.name);
+  for (const CountKey& key : kCountKeys) names.emplace_back(key.name);
+  return names;
+}
+
+void read_initiator_config(const core::YamlMap& map, std::span<const InitiatorKey> keys,
+                           InitiatorConfig& config) {
+  for (const InitiatorKey& key : keys) read_key(map, key, config);
   map.finish();
   if (config.max_speed && *config.max_speed <= config.min_speed.value_or(0.0))
     map.fail("max_speed", "must be > min_speed");

@@ -2,14 +2,14 @@
 
 #include <Eigen/Core>
 #include <initializer_list>
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
+#include "core/yaml_reader.hpp"
 #include "tracking/initiation/plots/gate_shapes.hpp"
-
-namespace lookout::core {
-class YamlMap;
-}  // namespace lookout::core
 
 namespace lookout::tracking {
 
@@ -49,6 +49,11 @@ struct InitiatorConfig {
   std::optional<double> max_false_tracks;  ///< False chains expected per window that VCT allows, > 0.
   std::optional<double> clutter_per_area;  ///< False plots per scan and area [1/m^2], > 0; absent: estimated.
 
+  /// What a configuration gives of the keys that an initiator from outside brings with it (InitiatorKey).
+  std::map<std::string, double> own;
+  /// The value of a key of its own, or `fallback` where the configuration does not give it.
+  double own_number(const std::string& key, double fallback) const;
+
   /// Covariance of a point at `position` [m] that came without one [m^2].
   Eigen::Matrix2d noise_at(const Eigen::Vector2d& position) const;
   /// @throws std::invalid_argument naming a field out of range.
@@ -64,9 +69,20 @@ std::string chosen_variant(const InitiatorConfig& config, const std::string& met
 /// The speed limits of `config`, or those of the method's paper.
 SpeedLimits speed_limits(const InitiatorConfig& config, const SpeedLimits& of_paper);
 
-/// Overrides `config` with the keys that `map` holds (`azimuth_sigma_deg` and `theta_..._deg` in degrees),
-/// and calls map.finish(). @throws core::InputError on an unknown key or a value out of range.
-void read_initiator_config(const core::YamlMap& map, InitiatorConfig& config);
+/// A key of the `initiator:` part of a configuration that an initiator uses.
+struct InitiatorKey {
+  std::string name;  ///< One of `common_initiator_keys()`, or a key of the initiator's own.
+  core::Range accepted = core::kAnyNumber;  ///< Of a key of its own; the common ones have theirs.
+};
+
+/// The keys that read a field of InitiatorConfig by name; each method uses some of them.
+std::vector<std::string> common_initiator_keys();
+
+/// Overrides `config` with the keys that `map` holds (`azimuth_sigma_deg` and those with `_deg` in degrees),
+/// and calls map.finish(). A key that is not common goes to InitiatorConfig::own.
+/// @param keys all that are accepted. @throws core::InputError on another key or a value out of range.
+void read_initiator_config(const core::YamlMap& map, std::span<const InitiatorKey> keys,
+                           InitiatorConfig& config);
 
 /// Covariance [m^2] of a position at `offset` [m] from the sensor, from its errors in range and azimuth: the
 /// first along the line of sight, the second times the range across it. A point at the sensor itself has the

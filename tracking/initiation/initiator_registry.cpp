@@ -1,6 +1,9 @@
 #include "tracking/initiation/initiator_registry.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
+#include <utility>
 
 #include "tracking/initiation/methods/ag_fht.hpp"
 #include "tracking/initiation/methods/fpht.hpp"
@@ -13,43 +16,108 @@
 #include "tracking/initiation/methods/nht_ti.hpp"
 #include "tracking/initiation/methods/sequence_ht.hpp"
 #include "tracking/initiation/methods/vct.hpp"
+#include "tracking/tracker_registry.hpp"
 
 namespace lookout::tracking {
 namespace {
 
+using KeyNames = std::initializer_list<const char*>;
+
+/// Of every initiator on points: their accuracy, and the motion of the tracks that it follows.
+constexpr KeyNames kPointKeys{"position_sigma", "range_sigma", "azimuth_sigma_deg", "acceleration_sigma"};
+
+/// Of every birth method: its window on the sonar's scans, and the proof of what it proposes.
+constexpr KeyNames kBirthKeys{"min_speed", "max_speed",   "acceleration_sigma", "window_scans",
+                              "min_plots", "gate_margin", "max_false_tracks",   "clutter_per_area"};
+
 struct Entry {
-  const char* name;
-  std::unique_ptr<Initiator> (*make)(const InitiatorConfig&);
+  std::string name;
+  MakeInitiator make;
+  std::vector<InitiatorKey> keys;
 };
 
-/// One line an initiator.
-constexpr Entry kRegistry[] = {
-    {"ht", &make_ht},
-    {"mht_ti", &make_mht_ti},
-    {"iht_ti", &make_iht_ti},
-    {"nht_ti", &make_nht_ti},
-    {"ag_fht", &make_ag_fht},
-    {"modified_logic", &make_modified_logic},
-    {"modified_ht", &make_modified_ht},
-    {"sequence_ht", &make_sequence_ht},
-    {"fpht", &make_fpht},
-    {"nht_plus", &make_nht_plus},
-    {"vct", &make_vct},
-};
+void append(std::vector<InitiatorKey>& keys, KeyNames names) {
+  for (const char* name : names) keys.push_back({.name = name});
+}
+
+Entry entry_of(const char* name, MakeInitiator make, KeyNames names) {
+  Entry entry{name, std::move(make), {}};
+  append(entry.keys, names);
+  return entry;
+}
+
+/// One line an initiator; those from outside follow.
+std::vector<Entry>& registry() {
+  static std::vector<Entry> entries{
+      entry_of("ht", &make_ht, kHtKeys),
+      entry_of("mht_ti", &make_mht_ti, kMhtTiKeys),
+      entry_of("iht_ti", &make_iht_ti, kIhtTiKeys),
+      entry_of("nht_ti", &make_nht_ti, kNhtTiKeys),
+      entry_of("ag_fht", &make_ag_fht, kAgFhtKeys),
+      entry_of("modified_logic", &make_modified_logic, kModifiedLogicKeys),
+      entry_of("modified_ht", &make_modified_ht, kModifiedHtKeys),
+      entry_of("sequence_ht", &make_sequence_ht, kSequenceHtKeys),
+      entry_of("fpht", &make_fpht, kFphtKeys),
+      entry_of("nht_plus", &make_nht_plus, kNhtPlusKeys),
+      entry_of("vct", &make_vct, kVctKeys),
+  };
+  return entries;
+}
+
+bool is_name(const std::string& text) {
+  const auto is_part = [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '_'; };
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_part);
+}
+
+/// A tracker's name as birth method means the tracker's own births.
+bool is_taken(const std::string& name) {
+  std::vector<std::string> taken = initiator_names();
+  for (const auto& tracker : tracker_names()) taken.push_back(tracker);
+  return std::find(taken.begin(), taken.end(), name) != taken.end();
+}
+
+/// The keys that are accepted for one initiator; where there is none of that name, those of all.
+std::vector<InitiatorKey> accepted_keys(const std::string& name, InitiatorUse use) {
+  std::vector<InitiatorKey> keys;
+  append(keys, use == InitiatorUse::points ? kPointKeys : kBirthKeys);
+  for (const Entry& entry : registry()) {
+    if (entry.name != name) continue;
+    keys.insert(keys.end(), entry.keys.begin(), entry.keys.end());
+    return keys;
+  }
+  for (const Entry& entry : registry()) keys.insert(keys.end(), entry.keys.begin(), entry.keys.end());
+  for (const auto& key : common_initiator_keys()) keys.push_back({.name = key});
+  return keys;
+}
 
 }  // namespace
 
+void register_initiator(const std::string& name, MakeInitiator make, std::vector<InitiatorKey> keys) {
+  if (!is_name(name))
+    throw std::invalid_argument("an initiator's name must be letters, digits and underscores, got `" + name +
+                                "`");
+  if (is_taken(name)) throw std::invalid_argument("the name `" + name + "` of an initiator is taken");
+  if (make == nullptr)
+    throw std::invalid_argument("the initiator `" + name + "` has no function that makes it");
+  registry().push_back({name, std::move(make), std::move(keys)});
+}
+
+void read_initiator_config(const core::YamlMap& map, const std::string& name, InitiatorUse use,
+                           InitiatorConfig& config) {
+  read_initiator_config(map, accepted_keys(name, use), config);
+}
+
 std::vector<std::string> initiator_names() {
   std::vector<std::string> names;
-  for (const Entry& entry : kRegistry) names.emplace_back(entry.name);
+  for (const Entry& entry : registry()) names.push_back(entry.name);
   return names;
 }
 
 std::unique_ptr<Initiator> make_initiator(const std::string& name, const InitiatorConfig& config) {
   std::string accepted;
-  for (const Entry& entry : kRegistry) {
+  for (const Entry& entry : registry()) {
     if (name == entry.name) return entry.make(config);
-    accepted += std::string(" ") + entry.name;
+    accepted += " " + entry.name;
   }
   throw std::invalid_argument("initiator must be one of" + accepted + ", got `" + name + "`");
 }

@@ -135,5 +135,14 @@ TEST(Configuration, ATrackersOwnBirthMethodServesNoOther) {
       << error_of(options);
 }
 
+TEST(Configuration, AnInitiatorsKeysAreThoseOfTheOneThatRuns) {
+  const tests::TemporaryDirectory folder;
+  const std::string births = "tracker: {name: gnn, initiator: modified_logic}\ninitiator: {rho_step: 2}\n";
+  const auto file = folder.write("births.yaml", births);
+  EXPECT_NE(error_of(with_config(file)).find("births.yaml:2:13: unknown key `rho_step`"), std::string::npos)
+      << error_of(with_config(file));
+  EXPECT_EQ(load_configuration(with_config(file), "ht").initiator.rho_step, 2.0);  // on points
+}
+
 }  // namespace
 }  // namespace lookout::tools

@@ -11,8 +11,14 @@
 namespace lookout::tracking {
 namespace {
 
+/// As for no initiator in particular: every common key is accepted.
 InitiatorConfig read(const std::string& text) {
-  return testing::read_yaml(read_initiator_config, text);
+  const auto of_all = [](const core::YamlMap& map, InitiatorConfig& config) {
+    std::vector<InitiatorKey> keys;
+    for (const auto& name : common_initiator_keys()) keys.push_back({.name = name});
+    read_initiator_config(map, keys, config);
+  };
+  return testing::read_yaml<InitiatorConfig>(of_all, text);
 }
 
 TEST(InitiatorConfig, ReadsItsKeysWithTheirUnits) {
@@ -33,6 +39,19 @@ TEST(InitiatorConfig, RefusesUnknownKeysAndValuesOutOfRange) {
   EXPECT_THROW(read("{gate_margin: -1}"), core::InputError);
   EXPECT_THROW(read("{range_sigma: 10}"), core::InputError);
   EXPECT_THROW(read("{peak_threshold: 1.5}"), core::InputError);
+}
+
+TEST(InitiatorConfig, ReadsAKeyOfAnInitiatorsOwn) {
+  const auto reader = [](const core::YamlMap& map, InitiatorConfig& config) {
+    const std::vector<InitiatorKey> keys{{"shyness", {0.0, 2.0}}, {"min_plots"}};
+    read_initiator_config(map, keys, config);
+  };
+  const auto config = testing::read_yaml<InitiatorConfig>(reader, "{shyness: 1.5, min_plots: 4}");
+  EXPECT_EQ(config.own_number("shyness", 0.0), 1.5);
+  EXPECT_EQ(config.min_plots, 4);
+  EXPECT_EQ(config.own_number("boldness", 0.25), 0.25);
+  EXPECT_THROW(testing::read_yaml<InitiatorConfig>(reader, "{shyness: 3}"), core::InputError);
+  EXPECT_THROW(testing::read_yaml<InitiatorConfig>(reader, "{rho_step: 3}"), core::InputError);
 }
 
 /// At 70 km 0.3 degrees are 366.5 m across, [Zeng2023].

@@ -69,6 +69,11 @@ class AgFhtInitiator : public Initiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kAgFhtKeys{
+    "variant",   "min_speed",    "max_speed",    "gate_margin", "max_turn_deg",  "acceleration_sigma",
+    "min_plots", "window_scans", "sensor_range", "rho_step",    "theta_step_deg"};
+
 /// Keys: `min_speed`, `max_speed`, `gate_margin` (else `range_sigma`), `max_turn_deg`, `acceleration_sigma`,
 /// `min_plots`, `window_scans`, `sensor_range`, `rho_step`, `theta_step_deg`. Variants: `text` (default), and
 /// `unstated_knowledge`, which adds what the authors' program knows of its targets and the paper does not

@@ -52,6 +52,11 @@ class FphtInitiator : public HoughInitiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kFphtKeys{
+    "min_plots",          "window_scans", "peak_threshold", "max_tracks",
+    "acceleration_sigma", "sensor_range", "rho_step",       "theta_step_deg"};
+
 /// Keys: `min_plots`, `window_scans`, `peak_threshold`, `max_tracks`, `sensor_range`, `rho_step`,
 /// `theta_step_deg`. No variants.
 std::unique_ptr<Initiator> make_fpht(const InitiatorConfig& config);

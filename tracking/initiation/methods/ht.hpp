@@ -37,6 +37,11 @@ class HtInitiator : public HoughInitiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kHtKeys{
+    "rho_step",  "theta_step_deg", "rho_tolerance", "theta_tolerance_deg", "peak_threshold",
+    "min_plots", "max_tracks",     "window_scans",  "acceleration_sigma"};
+
 /// Keys: those of LineVotingParams. No variants.
 std::unique_ptr<Initiator> make_ht(const InitiatorConfig& config);
 

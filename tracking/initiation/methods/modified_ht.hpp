@@ -43,6 +43,10 @@ class ModifiedHtInitiator : public Initiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kModifiedHtKeys{"min_speed", "max_speed", "gate_margin",
+                                                                    "max_turn_deg", "acceleration_sigma"};
+
 /// Keys: `min_speed`, `max_speed`, `gate_margin`, `max_turn_deg`, `acceleration_sigma`. No variants.
 std::unique_ptr<Initiator> make_modified_ht(const InitiatorConfig& config);
 

@@ -32,6 +32,11 @@ class ModifiedLogicInitiator : public Initiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kModifiedLogicKeys{
+    "variant",      "min_speed",          "max_speed", "gate_margin",
+    "max_turn_deg", "acceleration_sigma", "min_plots", "window_scans"};
+
 /// Keys: `min_speed`, `max_speed`, `gate_margin`, `max_turn_deg`, `acceleration_sigma`, `min_plots`,
 /// `window_scans`. Variants: `polar` (default: the plots' own noise) and `isotropic` (25000 m^2 along both
 /// axes, as in the authors' program).

@@ -104,6 +104,11 @@ class NhtPlusInitiator : public HoughInitiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kNhtPlusKeys{
+    "min_speed", "max_speed",    "gate_margin",    "acceleration_sigma",
+    "min_plots", "window_scans", "peak_threshold", "max_tracks"};
+
 /// Keys: `min_speed`, `max_speed`, `gate_margin`, `acceleration_sigma`, `min_plots`, `window_scans`,
 /// `peak_threshold`, `max_tracks`. No variants.
 std::unique_ptr<Initiator> make_nht_plus(const InitiatorConfig& config);

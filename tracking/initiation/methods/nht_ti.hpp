@@ -65,6 +65,12 @@ class NhtTiInitiator : public HoughInitiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kNhtTiKeys{
+    "variant",        "min_speed",     "max_speed",           "gate_margin",    "rho_step",
+    "theta_step_deg", "rho_tolerance", "theta_tolerance_deg", "peak_threshold", "min_plots",
+    "max_tracks",     "window_scans",  "acceleration_sigma"};
+
 /// Keys: `min_speed`, `max_speed`, `gate_margin` and those of LineVotingParams. Variants: `spread` (default),
 /// `cell`, `spread_chained`, `cell_chained`.
 std::unique_ptr<Initiator> make_nht_ti(const InitiatorConfig& config);

@@ -46,6 +46,10 @@ class SequenceHtInitiator : public Initiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kSequenceHtKeys{
+    "window_scans", "max_tracks", "acceleration_sigma", "sensor_range", "rho_step", "theta_step_deg"};
+
 /// Keys: `window_scans`, `max_tracks`, `sensor_range`, `rho_step`, `theta_step_deg`. No variants.
 std::unique_ptr<Initiator> make_sequence_ht(const InitiatorConfig& config);
 

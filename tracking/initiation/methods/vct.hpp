@@ -93,6 +93,11 @@ class VctInitiator : public Initiator {
   StartedTracks started_;
 };
 
+/// What it uses of the `initiator:` part of a configuration.
+inline constexpr std::initializer_list<const char*> kVctKeys{
+    "min_speed", "max_speed",        "acceleration_sigma", "window_scans",
+    "min_plots", "gate_probability", "max_false_tracks",   "clutter_per_area"};
+
 /// Keys: `min_speed`, `max_speed`, `acceleration_sigma`, `window_scans`, `min_plots` (default: all scans),
 /// `gate_probability`, `max_false_tracks`, `clutter_per_area`. No variants.
 std::unique_ptr<Initiator> make_vct(const InitiatorConfig& config);
