@@ -1,5 +1,14 @@
 # `cmake --install` and find_package(lookout).
 include(CMakePackageConfigHelpers)
+# What a plug-in of the program builds against: headers alone, as the program holds the libraries.
+add_library(lookout_plugin INTERFACE)
+add_library(lookout::plugin ALIAS lookout_plugin)
+set_target_properties(lookout_plugin PROPERTIES EXPORT_NAME plugin)
+target_compile_features(lookout_plugin INTERFACE cxx_std_20)
+target_include_directories(lookout_plugin INTERFACE
+  $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lookout>)
+target_link_libraries(lookout_plugin INTERFACE Eigen3::Eigen)
+set_property(GLOBAL APPEND PROPERTY LOOKOUT_LIBRARIES lookout_plugin)
 get_property(libraries GLOBAL PROPERTY LOOKOUT_LIBRARIES)
 install(TARGETS ${libraries} EXPORT lookout_targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 foreach(folder core lcmtypes sonar_sim csht tracking fusion)

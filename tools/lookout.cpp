@@ -10,6 +10,7 @@
 #include "core/input_error.hpp"
 #include "fusion/fusion_params.hpp"
 #include "tools/cli/configuration.hpp"
+#include "tools/cli/plugin.hpp"
 #include "tools/cli/version.hpp"
 #include "tools/commands/commands.hpp"
 #include "tools/experiments/experiment_registry.hpp"
@@ -63,12 +64,34 @@ void add_scoring(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
+/// The names in the help text of a command, plug-ins' included.
+void describe_names(CLI::App& app) {
+  const auto describe = [&app](const char* option, const std::string& text) {
+    if (auto* found = app.get_option_no_throw(option)) found->description(text);
+  };
+  describe("--estimator", one_of("Estimator", estimator_choices()));
+  describe("METHOD", one_of("Initiator", tracking::initiator_names()));
+}
+
+/// Plug-ins are loaded while the flags are read, so that help and errors know their names.
+void add_plugin(CLI::App& app) {
+  const auto load = [&app](const std::vector<std::string>& files) {
+    for (const auto& file : files) load_plugin(file);
+    describe_names(app);
+  };
+  app.add_option_function<std::vector<std::string>>(
+         "--plugin", load, "Shared library with estimators and initiators of your own; may be repeated")
+      ->type_name("FILE.so")
+      ->allow_extra_args(false);
+}
+
 // The flags of each command.
 
 void add_tracking(CLI::App& app, Options& options) {
   app.add_option("--config", options.config, "Configuration YAML");
   app.add_option("--estimator", options.estimator, one_of("Estimator", estimator_choices()));
   app.add_option("--tracker", options.tracker, one_of("Tracker", tracking::tracker_names()));
+  add_plugin(app);
   app.add_option("--lag", options.lag, "Delayed output: tracks as they are known so much later [s]");
   app.add_flag("--explain", options.explain, "One line a track decision on stderr");
 }
@@ -176,6 +199,7 @@ void declare_initiate(CLI::App& app, Options& options) {
   app.add_option("POINTS", options.inputs, "CSV of scan,time_s,x_m,y_m")->expected(1)->required();
   app.add_option("--out", options.out, "TRACKS.csv to write");
   app.add_option("--config", options.config, "Configuration YAML; its `initiator:` part is used");
+  add_plugin(app);
 }
 
 void declare_experiment(CLI::App& app, Options& options) {
@@ -192,6 +216,7 @@ void declare_experiment(CLI::App& app, Options& options) {
   app.add_option("--only", options.only, "KEY=VALUE: only the cells with it; may be repeated")
       ->allow_extra_args(false);
   app.add_flag("--resume", options.resume, "Go on where an interrupted experiment stopped");
+  add_plugin(app);
 }
 
 void declare_watch(CLI::App& app, Options& options) {
