@@ -13,6 +13,7 @@ class BeamFan {
   ///   params.first_bearing in steps that are params.bearing_step in the mean; empty: an even fan.
   explicit BeamFan(const core::SonarParams& params, std::vector<double> centres = {});
 
+  /// Beams of the fan, >= 1.
   int num_beams() const { return params_.num_beams; }
   double centre(int beam) const;  ///< [rad]
 

@@ -19,14 +19,18 @@ enum class ClutterReading {
 /// What holds while the echoes of one ping come back.
 struct Ping {
   core::SonarParams params;  ///< With the range setting and the false alarms of its time.
+  /// Where the beams look.
   BeamFan fan{params};
   core::Pose2 T_earth_sonar;      ///< True pose.
   double echo_range_sigma = 3.0;  ///< Of an echo's range [m].
   bool quantise_bearing = true;   ///< Report an echo at its beam's centre; off: at its own bearing.
+  /// How false alarms are drawn.
   ClutterReading clutter = ClutterReading::literal;
   int returns_per_beam = 1;  ///< Most returns of one beam, >= 1. Not used for point sensors.
 
+  /// Whether a range [m] lies within (0, max_range].
   bool in_range(double range) const { return range > 0.0 && range <= params.max_range; }
+  /// The bearing that a return of a beam states [rad].
   double reported_bearing(int beam, double bearing) const {
     return quantise_bearing && !params.point_sensor() ? fan.centre(beam) : bearing;
   }
@@ -37,8 +41,11 @@ enum class Source { target, standing, spill, clutter, background };
 
 /// One return before the sonar chooses which it reports.
 struct BeamReturn {
+  /// Index of the beam.
   int beam = 0;
+  /// Range, bearing and intensity, as reported.
   core::SonarReturn echo;
+  /// What made it.
   Source source = Source::background;
   int thing = 0;  ///< Echoes of one thing share it: target >= 0, standing thing < 0.
   std::optional<double> snr_db =

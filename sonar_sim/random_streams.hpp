@@ -25,6 +25,7 @@ enum class StreamPurpose : std::uint64_t {
 
 /// Whose draws they are.
 struct StreamKey {
+  /// Of the run.
   std::uint64_t seed = 1;
   std::uint64_t run = 0;     ///< Of an experiment, below 2^40.
   std::size_t platform = 0;  ///< Vehicle of the scene.
@@ -34,6 +35,7 @@ struct StreamKey {
   StreamKey of_the_run() const { return {seed, run, 0, 0}; }
 };
 
+/// The generator of one part of the simulator in one run.
 core::Random open_stream(const StreamKey& key, StreamPurpose purpose);
 
 }  // namespace lookout::sonar_sim

@@ -69,6 +69,7 @@ core::SonarParams params_at(const SonarPlan& sonar, double time);
 
 /// How many scans the sonar makes, lost ones counted; all sonars of the platform.
 int num_scans(const Scene& scene, const SonarPlan& sonar);
+/// Scans that a sonar makes in the scene.
 int num_scans(const Scene& scene, const PlatformPlan& platform);
 
 /// The scheduled targets at `time` [s], `visible` where one of the platform's sonars at its true pose has

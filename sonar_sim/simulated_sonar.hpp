@@ -21,6 +21,7 @@ class SimulatedSonar {
 
   double next_time() const;                           ///< Of its next ping [s].
   bool over() const { return index_ >= num_scans_; }  ///< The scene ends before the next ping.
+  /// Its part of the scene.
   const SonarPlan& plan() const { return plan_; }
   core::Pose2 pose_on(const core::Pose2& T_earth_body) const;  ///< True pose in the earth frame.
 

@@ -20,6 +20,7 @@ struct Bottom {
 /// Where the beam meets it [m]: range + wave sin(2 pi cycles beam / num_beams).
 double bottom_range(const Bottom& bottom, int beam, int num_beams);
 
+/// The returns of the bottom ring in one ping.
 std::vector<BeamReturn> draw_bottom(const Bottom& bottom, const Ping& ping, core::Random& random);
 
 }  // namespace lookout::sonar_sim

@@ -12,6 +12,7 @@ namespace lookout::sonar_sim {
 /// A part of the view that is full of returns at random ranges: of the beams from one bearing to another and
 /// of an interval of ranges, or of a disc on the earth.
 struct ClutterPatch {
+  /// Fixed to the earth; else to the sonar.
   bool on_earth = false;
   double first_bearing = 0.0;    ///< Of a patch that moves with the sonar: beams whose centres lie
   double last_bearing = 0.0;     ///< between the two [rad],
@@ -27,6 +28,7 @@ struct ClutterPatch {
   std::optional<double> mean_returns;
 };
 
+/// The returns of one patch in one ping.
 std::vector<BeamReturn> draw_patch(const ClutterPatch& patch, const Ping& ping, core::Random& random);
 
 }  // namespace lookout::sonar_sim

@@ -12,6 +12,7 @@ struct ScanLoss {
 
 /// What becomes of one scan.
 enum class ScanFate { whole, empty, lost };
+/// Whether the next scan arrives.
 ScanFate draw_fate(const ScanLoss& loss, core::Random& random);
 
 }  // namespace lookout::sonar_sim

@@ -16,7 +16,9 @@ class SeaSection {
   /// @throws core::InputError naming file, line, column and key.
   explicit SeaSection(std::optional<core::YamlMap> map);
 
+  /// What was read.
   const SeaPlan& plan() const { return plan_; }
+  /// Of the `sea:` section; absent without one.
   const std::optional<core::YamlMap>& map() const { return map_; }
 
  private:

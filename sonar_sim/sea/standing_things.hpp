@@ -20,12 +20,14 @@ struct StandingEcho {
 /// A rock, a buoy, a pile: heard in the beam that it lies in.
 struct StandingPoint {
   Eigen::Vector2d position{0, 0};  ///< North, east [m].
+  /// How it answers a ping.
   StandingEcho echo;
 };
 
 /// A wall: heard in each beam whose axis meets it.
 struct StandingLine {
   Eigen::Vector2d from{0, 0}, to{0, 0};  ///< Its ends: north, east [m].
+  /// How it answers a ping.
   StandingEcho echo;
 };
 
@@ -35,6 +37,7 @@ struct StandingArc {
   double radius = 0.0;           ///< [m], > 0.
   double first_azimuth = 0.0;    ///< As seen from its centre, clockwise from north, it reaches from the first
   double last_azimuth = 0.0;     ///< to the last, which is larger by at most a turn [rad].
+  /// How it answers a ping.
   StandingEcho echo;
 };
 
@@ -42,13 +45,19 @@ struct StandingArc {
 struct StandingField {
   int count = 0;                                       ///< >= 1.
   Eigen::Vector2d south_west{0, 0}, north_east{0, 0};  ///< Corners: north, east [m].
+  /// How it answers a ping.
   StandingEcho echo;
 };
 
+/// All standing things of a scene.
 struct StandingPlan {
+  /// Rocks and the like.
   std::vector<StandingPoint> points;
+  /// Walls.
   std::vector<StandingLine> lines;
+  /// Round walls.
   std::vector<StandingArc> arcs;
+  /// Areas with points at random.
   std::vector<StandingField> fields;
 };
 
@@ -57,6 +66,7 @@ StandingPlan place_fields(StandingPlan plan, core::Random& random);
 
 /// Range [m] at which a ray from the earth-frame point `p_earth` at `azimuth` [rad] first meets the thing.
 std::optional<double> range_to(const StandingLine& line, const Eigen::Vector2d& p_earth, double azimuth);
+/// Range along a ray to the thing [m]; nothing where the ray misses it.
 std::optional<double> range_to(const StandingArc& arc, const Eigen::Vector2d& p_earth, double azimuth);
 
 /// The returns of all points, lines and arcs of the plan.

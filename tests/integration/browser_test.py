@@ -151,7 +151,7 @@ class Chain:
             self.start(["lcm-logger", "--quiet", f"--lcm-url={URL}", str(log)])
             time.sleep(0.5)
         # The quick tracker: what is tested is what is shown.
-        self.tracker = self.start([lookout, "track", "--tracker", "gnn", "--estimator", "ransac", "--lcm-url", URL])
+        self.tracker = self.start([lookout, "track", "--tracker", "gnn", "--lcm-url", URL])
         self.simulator = self.start([lookout, "sim", scenario, "--wait-for", "1", "--speed", str(SPEED), "--lcm-url", URL,
                                      "--duration", str(seconds)])
 

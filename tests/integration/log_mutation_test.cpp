@@ -21,7 +21,7 @@ namespace {
 
 constexpr int kMutations = 3000;
 constexpr std::size_t kLogBytes = 3'000;  // Of a case's log: ten scans, milliseconds a mutation.
-constexpr std::size_t kLongestRun = 24;  // Bytes that one mutation removes, repeats or overwrites.
+constexpr std::size_t kLongestRun = 24;   // Bytes that one mutation removes, repeats or overwrites.
 
 constexpr std::array<const char*, 24> kTokens{"nan",
                                               "inf",
@@ -107,7 +107,7 @@ int replay(const std::string& input, const std::string& out) {
   tools::Options options;
   options.inputs = {input};
   options.out = out;
-  options.tracker = "gnn";
+  options.tracker = "csht";
   options.estimator = "ransac";
   try {
     return tools::replay_command(options);

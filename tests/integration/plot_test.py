@@ -100,7 +100,7 @@ def main():
     folder = pathlib.Path(tempfile.mkdtemp())
     try:
         run = folder / "run"
-        check(lookout("run", SCENARIO, "--tracker", "gnn", "--estimator", "ransac", "--out", run).returncode == 0, "a run")
+        check(lookout("run", SCENARIO, "--tracker", "csht", "--estimator", "ransac", "--out", run).returncode == 0, "a run")
         check_usage(run)
         check_run(run)
         check_log(folder)

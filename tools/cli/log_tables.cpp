@@ -75,6 +75,14 @@ void write_ospa(const std::string& path, const std::vector<lcmtypes::OspaReport>
   csv.close();
 }
 
+/// Keeps the vehicle states that a recording holds: each later than all before it.
+void keep_in_order(std::vector<core::VehicleState>& vehicle) {
+  std::vector<core::VehicleState> kept;
+  for (const auto& state : vehicle)
+    if (kept.empty() || state.utime > kept.back().utime) kept.push_back(state);
+  vehicle = std::move(kept);
+}
+
 }  // namespace
 
 void write_log_tables(const std::string& log, const std::string& channel_prefix,

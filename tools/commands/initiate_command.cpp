@@ -90,7 +90,7 @@ tracking::SlidingInitiator make_sliding(const std::string& method, const trackin
 
 int initiate_command(const Options& options) {
   if (options.out.empty()) throw core::InputError("initiate: --out TRACKS.csv is missing");
-  const tracking::InitiatorConfig config = load_configuration(options, options.method).initiator;
+  const tracking::InitiatorConfig config = load_configuration(options, {}, options.method).initiator;
   auto sliding = make_sliding(options.method, config);
   const std::vector<PointScan> scans = read_points(options.inputs.front(), config);
   core::CsvWriter file(options.out, "id,x0_m,y0_m,vx_mps,vy_mps,rho_m,theta_rad,score,first_scan,last_scan");

@@ -14,12 +14,14 @@ namespace lookout::tracking {
 
 /// Bounds beyond which a message cannot be what it claims, and would ask for absurd memory.
 struct PingLimits {
+  /// Beams of a ping.
   static constexpr int kMaxBeams = core::SonarLimits::kMaxBeams;
   static constexpr double kMaxRange = core::SonarLimits::kMaxRange;  ///< [m]
   static constexpr double kMaxMount = core::SonarLimits::kMaxMount;  ///< [m]
   static constexpr double kMaxPosition = 1e8;  ///< Of a vehicle from the earth frame's origin [m].
   static constexpr double kMaxSpeed = core::SonarLimits::kMaxSpeed;  ///< Of a vehicle [m/s].
   static constexpr double kMaxAngle = 1e3;                           ///< Of a heading or bearing [rad].
+  /// Beams x bins of an image.
   static constexpr std::size_t kMaxPixels = 1'000'000;
 };
 

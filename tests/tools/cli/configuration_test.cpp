@@ -141,7 +141,7 @@ TEST(Configuration, AnInitiatorsKeysAreThoseOfTheOneThatRuns) {
   const auto file = folder.write("births.yaml", births);
   EXPECT_NE(error_of(with_config(file)).find("births.yaml:2:13: unknown key `rho_step`"), std::string::npos)
       << error_of(with_config(file));
-  EXPECT_EQ(load_configuration(with_config(file), "ht").initiator.rho_step, 2.0);  // on points
+  EXPECT_EQ(load_configuration(with_config(file), {}, "ht").initiator.rho_step, 2.0);  // on points
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ constexpr std::int64_t kSecond = 1'000'000;
 
 class PoseIntakeTest : public ::testing::Test {
  protected:
-  void add(std::int64_t utime) { intake_.add({utime, {static_cast<double>(utime), 0.0, 0.0}, {0.0, 0.0}}); }
+  void add(std::int64_t utime) { intake_.add({utime, {core::seconds(utime), 0.0, 0.0}, {0.0, 0.0}}); }
 
   std::vector<std::int64_t> refused_;
   std::vector<std::int64_t> believed_;
