@@ -22,7 +22,8 @@ namespace fs = std::filesystem;
 class Scratch {
  public:
   Scratch() {
-    std::string name = (fs::temp_directory_path() / "lookout_plot_XXXXXX").string();
+    std::string name = (fs::temp_directory_path() / "lookout_plot_").string();
+    name.append(6, 'X');  // Replaced by mkdtemp, which asks for these.
     if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be created");
     path_ = name;
   }
