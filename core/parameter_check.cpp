@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 
 namespace lookout::core {
 

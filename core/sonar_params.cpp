@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "core/beam_order.hpp"
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "core/sonar_limits.hpp"
-#include "core/yaml_reader.hpp"
 
 namespace lookout::core {
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/yaml_reader.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "csht/baselines/csht_printed_estimator.hpp"
 #include "csht/baselines/ransac_estimator.hpp"
 #include "csht/baselines/sht_estimator.hpp"

@@ -1,6 +1,6 @@
 #include "fusion/fusion_params.hpp"
 
-#include "core/yaml_reader.hpp"
+#include "core/files/yaml_reader.hpp"
 
 namespace lookout::fusion {
 namespace {

@@ -14,11 +14,11 @@
 #include <lookout/sonar_scan_t.hpp>
 #include <lookout/track_list_t.hpp>
 #include <lookout/vehicle_state_t.hpp>
+#include "core/files/recording.hpp"
 #include "core/ground_truth.hpp"
 #include "core/local_estimate.hpp"
 #include "core/motion_element.hpp"
 #include "core/pose_history.hpp"
-#include "core/recording.hpp"
 #include "core/sensor_estimate.hpp"
 #include "core/sonar_image.hpp"
 #include "core/sonar_scan.hpp"

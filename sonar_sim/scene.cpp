@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/field_of_view.hpp"
-#include "core/yaml_reader.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "sonar_sim/sea/sea_reader.hpp"
 
 namespace lookout::sonar_sim {

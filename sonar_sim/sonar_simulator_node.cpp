@@ -5,7 +5,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 
 namespace lookout::sonar_sim {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "core/yaml_reader.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "tracking/baselines/gnn_tracker.hpp"
 #include "tracking/baselines/kalman_tracker.hpp"
 #include "tracking/csht_tracker.hpp"

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/yaml_reader.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "sonar_sim/sea/sea_plan.hpp"
 
 /// The `sea` section of a scene; docs/sea.md has its keys.

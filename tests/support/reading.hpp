@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "core/files/yaml_reader.hpp"
 #include "core/input_error.hpp"
-#include "core/yaml_reader.hpp"
 
 namespace lookout::testing {
 

@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
+#include "core/files/yaml_reader.hpp"
 #include "core/input_error.hpp"
-#include "core/yaml_reader.hpp"
 
 namespace lookout::tracking {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "core/input_error.hpp"
-#include "core/yaml_reader.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 #include "tracking/tracking_chain.hpp"
 

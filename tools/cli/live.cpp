@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/service_notice.hpp"

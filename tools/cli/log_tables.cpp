@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "core/csv.hpp"
 #include "core/field_of_view.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording.hpp"
 #include "core/input_error.hpp"
-#include "core/recording.hpp"
 #include "lcmtypes/channels.hpp"
 #include "lcmtypes/convert_reports.hpp"
 #include "lcmtypes/inbox.hpp"

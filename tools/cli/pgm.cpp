@@ -10,7 +10,7 @@
 #include <numeric>
 #include <optional>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 
 namespace lookout::tools {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/recording.hpp"
+#include "core/files/recording.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tracking/track_before_detect/images/image_chain.hpp"
 #include "tracking/tracking_chain.hpp"

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/recording.hpp"
+#include "core/files/recording.hpp"
 #include "tracking/intake/scan_intake.hpp"
 
 namespace lookout::tools {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/time_text.hpp"
 #include "core/input_error.hpp"
-#include "core/time_text.hpp"
 
 namespace lookout::tools {
 namespace {

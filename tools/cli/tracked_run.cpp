@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/csv.hpp"
-#include "core/text_file.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/text_file.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/scoring.hpp"
 #include "tools/cli/vote_matrices.hpp"

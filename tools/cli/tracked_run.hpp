@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/recording.hpp"
+#include "core/files/recording.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/options.hpp"
 #include "tools/cli/recorded_chain.hpp"

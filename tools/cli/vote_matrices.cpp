@@ -1,8 +1,8 @@
 #include "tools/cli/vote_matrices.hpp"
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/time_text.hpp"
 #include "core/input_error.hpp"
-#include "core/time_text.hpp"
 #include "csht/csht_estimator.hpp"
 
 namespace lookout::tools {

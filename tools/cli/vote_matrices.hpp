@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/recording.hpp"
+#include "core/files/recording.hpp"
 
 namespace lookout::csht {
 class CshtEstimator;

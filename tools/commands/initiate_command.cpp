@@ -2,7 +2,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/log.hpp"

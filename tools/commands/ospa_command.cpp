@@ -8,10 +8,10 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording.hpp"
+#include "core/files/time_text.hpp"
 #include "core/input_error.hpp"
-#include "core/recording.hpp"
-#include "core/time_text.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/scoring.hpp"
 #include "tools/commands/commands.hpp"

@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording.hpp"
 #include "core/input_error.hpp"
-#include "core/recording.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/log_tables.hpp"
 #include "tools/cli/paths.hpp"

@@ -1,7 +1,7 @@
 #include <filesystem>
 
+#include "core/files/time_text.hpp"
 #include "core/input_error.hpp"
-#include "core/time_text.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/replay_log.hpp"

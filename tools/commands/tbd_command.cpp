@@ -4,7 +4,7 @@
 #include <iostream>
 #include <optional>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 #include "core/random.hpp"
 #include "tools/cli/configuration.hpp"

@@ -1,7 +1,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/live.hpp"
 #include "tools/cli/log.hpp"

@@ -4,9 +4,9 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/files/yaml_reader.hpp"
 #include "core/frames.hpp"
 #include "core/parameter_check.hpp"
-#include "core/yaml_reader.hpp"
 
 namespace lookout::tracking {
 namespace {

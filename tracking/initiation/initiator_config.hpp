@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/yaml_reader.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "tracking/initiation/plots/gate_shapes.hpp"
 
 namespace lookout::tracking {

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/csv.hpp"
-#include "core/time_text.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/time_text.hpp"
 
 namespace lookout::tracking {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "core/files/time_text.hpp"
 #include "core/frames.hpp"
-#include "core/time_text.hpp"
 
 namespace lookout::tracking {
 namespace {

@@ -5,9 +5,9 @@
 #include <array>
 #include <lcm/lcm-cpp.hpp>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording.hpp"
 #include "core/input_error.hpp"
-#include "core/recording.hpp"
 #include "tests/lcmtypes/example_messages.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 #include "core/random.hpp"
 #include "tests/support/temporary_directory.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "fusion/fusion.hpp"
 #include "tools/experiments/initiation/radar_scene.hpp"
 #include "tracking/association/assignment.hpp"

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "tools/cli/paths.hpp"
 
 namespace lookout::tools {

@@ -8,8 +8,8 @@
 #include <sstream>
 #include <vector>
 
-#include "core/csv.hpp"
-#include "core/text_file.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/text_file.hpp"
 #include "tools/cli/version.hpp"
 
 namespace lookout::tools {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 
 namespace lookout::tools {

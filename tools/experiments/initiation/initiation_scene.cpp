@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "tools/cli/paths.hpp"
 #include "tracking/initiation/initiator_config.hpp"
 

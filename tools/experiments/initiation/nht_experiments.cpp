@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/experiments/initiation/initiation_run.hpp"
 #include "tools/experiments/window/accumulator_pictures.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/pgm.hpp"

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "sonar_sim/video_stand_in.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/pgm.hpp"

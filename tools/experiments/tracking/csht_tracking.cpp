@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <string>
 
-#include "core/csv.hpp"
-#include "core/recording.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording.hpp"
 #include "sonar_sim/scene.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/experiments/harness/paper_figures.hpp"

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "core/recording.hpp"
+#include "core/files/recording.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"

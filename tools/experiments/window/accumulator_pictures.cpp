@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 
 namespace lookout::tools {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <chrono>
 
-#include "core/csv.hpp"
-#include "core/recording.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording.hpp"
 #include "csht/csht_estimator.hpp"
 #include "csht/estimator_registry.hpp"
 #include "sonar_sim/scene.hpp"

@@ -1,7 +1,7 @@
 #include "tools/experiments/window/joint_window.hpp"
 
-#include "core/csv.hpp"
-#include "core/recording.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording.hpp"
 #include "csht/joint/joint_estimator.hpp"
 #include "csht/scan_to_detections.hpp"
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/yaml_reader.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "tracking/track_before_detect/frames/cell_expectation.hpp"
 #include "tracking/track_before_detect/frames/frame_tracker.hpp"
 #include "tracking/track_before_detect/frames/pdim.hpp"

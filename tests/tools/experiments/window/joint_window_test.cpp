@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace lookout::tools {

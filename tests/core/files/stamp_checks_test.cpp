@@ -1,8 +1,8 @@
-#include "core/stamp_checks.hpp"
+#include "core/files/stamp_checks.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/recording.hpp"
+#include "core/files/recording.hpp"
 #include "tests/support/reading.hpp"
 #include "tests/support/temporary_directory.hpp"
 

@@ -1,18 +1,18 @@
-#include "core/recording.hpp"
+#include "core/files/recording.hpp"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <limits>
 
-#include "core/csv.hpp"
-#include "core/geometry_file.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/geometry_file.hpp"
+#include "core/files/recording_columns.hpp"
+#include "core/files/scans_file.hpp"
+#include "core/files/stamp_checks.hpp"
+#include "core/files/text_file.hpp"
+#include "core/files/yaml_reader.hpp"
 #include "core/input_error.hpp"
-#include "core/recording_columns.hpp"
-#include "core/scans_file.hpp"
-#include "core/stamp_checks.hpp"
-#include "core/text_file.hpp"
-#include "core/yaml_reader.hpp"
 
 namespace lookout::core {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/geometry_file.hpp"
+#include "core/files/geometry_file.hpp"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "core/beam_order.hpp"
-#include "core/csv.hpp"
-#include "core/recording_columns.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording_columns.hpp"
 #include "core/sonar_limits.hpp"
 
 namespace lookout::core {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/sonar_scan.hpp"
 
 /// What gives away that an export cut the times or mistook the units of a recording.

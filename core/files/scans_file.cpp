@@ -1,12 +1,12 @@
-#include "core/scans_file.hpp"
+#include "core/files/scans_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <map>
 
-#include "core/csv.hpp"
-#include "core/recording_columns.hpp"
-#include "core/stamp_checks.hpp"
+#include "core/files/csv.hpp"
+#include "core/files/recording_columns.hpp"
+#include "core/files/stamp_checks.hpp"
 
 namespace lookout::core {
 namespace {

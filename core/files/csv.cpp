@@ -1,4 +1,4 @@
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 
 #include <algorithm>
 #include <charconv>
@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <limits>
 
+#include "core/files/text_file.hpp"
+#include "core/files/time_text.hpp"
 #include "core/input_error.hpp"
-#include "core/text_file.hpp"
-#include "core/time_text.hpp"
 
 namespace lookout::core {
 namespace {

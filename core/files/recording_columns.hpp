@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/csv.hpp"
+#include "core/files/csv.hpp"
 #include "core/frames.hpp"
 #include "core/input_error.hpp"
 

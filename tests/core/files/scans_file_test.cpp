@@ -1,4 +1,4 @@
-#include "core/scans_file.hpp"
+#include "core/files/scans_file.hpp"
 
 #include <gtest/gtest.h>
 

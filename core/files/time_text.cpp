@@ -1,4 +1,4 @@
-#include "core/time_text.hpp"
+#include "core/files/time_text.hpp"
 
 #include <charconv>
 #include <cmath>

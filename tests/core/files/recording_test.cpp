@@ -1,4 +1,4 @@
-#include "core/recording.hpp"
+#include "core/files/recording.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/geometry_file.hpp"
+#include "core/files/geometry_file.hpp"
 #include "core/sonar_scan.hpp"
 
 /// scans.csv of a recording: a row a return. Columns `sensor_id`, `sequence` and `clock` are there where they

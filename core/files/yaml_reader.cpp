@@ -1,4 +1,4 @@
-#include "core/yaml_reader.hpp"
+#include "core/files/yaml_reader.hpp"
 
 #include <yaml-cpp/yaml.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 #include <sstream>
 
+#include "core/files/text_file.hpp"
 #include "core/input_error.hpp"
-#include "core/text_file.hpp"
 
 namespace lookout::core {
 namespace {

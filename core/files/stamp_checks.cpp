@@ -1,4 +1,4 @@
-#include "core/stamp_checks.hpp"
+#include "core/files/stamp_checks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/files/time_text.hpp"
 #include "core/frames.hpp"
-#include "core/time_text.hpp"
 
 namespace lookout::core {
 namespace {
