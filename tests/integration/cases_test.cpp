@@ -1,4 +1,4 @@
-// Inputs as people have them (tests/data/cases), each held to what docs/formats_tables.md says of it.
+// Inputs as people have them (tests/data/cases), each held to what docs/formats says of it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
