@@ -128,6 +128,14 @@ def draw_trajectories(axis, rows, colour, seconds):
         axis.plot(east, north, ".", color=colour, alpha=darkness, markersize=4)
 
 
+def keep_near(axis, detections):
+    """Shows the detections and a quarter more on each side: what could not be seen yet may lie anywhere."""
+    for name, show in (("east_m", axis.set_xlim), ("north_m", axis.set_ylim)):
+        values = [float(row[name]) for row in detections]
+        margin = 0.25 * (max(values) - min(values))
+        show(min(values) - margin, max(values) + margin)
+
+
 def plot_joint_window(directory):
     """One literal window of the joint estimator: densities, hypotheses, and the elements that it reports."""
     detections, truth = rows_of(directory / "joint_detections.csv"), rows_of(directory / "joint_truth.csv")
@@ -141,6 +149,7 @@ def plot_joint_window(directory):
             axis.plot(*zip(*path), color="tab:green", linewidth=7, alpha=0.3, solid_capstyle="round", zorder=0)
         axis.set_xlabel("east [m]")
         axis.set_aspect("equal")
+    keep_near(axes[0], detections)
     draw_trajectories(axes[0], rows_of(directory / "joint_clouds.csv"), "tab:blue", seconds)
     draw_trajectories(axes[1], rows_of(directory / "joint_hypotheses.csv"), "tab:orange", seconds)
     for row in rows_of(directory / "joint_elements.csv"):
@@ -149,7 +158,7 @@ def plot_joint_window(directory):
     axes[1].set_title("hypotheses (darker: likelier), elements (stars)")
     axes[0].set_ylabel("north [m]")
     figure.suptitle("joint, one window of 20 scans, literal clutter, $P_F = P_M$ = 0.3 "
-                    "(green: targets; grey: detections)")
+                    "(green: targets; grey: detections)", y=0.97)
     save(figure, directory / "joint_window.png")
 
 
