@@ -1,0 +1,144 @@
+"""What a directory of a run, a replay or anyone's recording holds, as far as plot_run.py draws it."""
+import csv
+import math
+import re
+import sys
+
+import numpy as np
+
+
+def warn(line):
+    print(f"plot_run.py: {line}", file=sys.stderr)
+
+
+def to_float(text):
+    try:
+        return float(text)
+    except ValueError:
+        return math.nan
+
+
+class Table:
+    """The columns of a CSV file as arrays of floats, what is no number as nan; texts of `status` as they are."""
+
+    def __init__(self, path):
+        self.columns = {}
+        self.status = []
+        if not path.is_file():
+            return
+        try:
+            with open(path, newline="", encoding="utf-8-sig", errors="replace") as file:
+                text = file.read()
+            semicolons = ";" in text.split("\n", 1)[0]
+            rows = list(csv.reader(text.replace("\0", "").splitlines(), delimiter=";" if semicolons else ","))
+        except (OSError, csv.Error) as error:
+            warn(f"{path}: {error}")
+            return
+        if not rows:
+            return
+        header, body = [name.strip() for name in rows[0]], rows[1:]
+        for k, name in enumerate(header):
+            values = [row[k].strip() if k < len(row) else "" for row in body]
+            if semicolons:
+                values = [value.replace(",", ".") for value in values]
+            self.columns[name] = np.array([to_float(value) for value in values])
+            if name == "status":
+                self.status = values
+
+    def __len__(self):
+        return len(next(iter(self.columns.values()), ()))
+
+    def __getitem__(self, name):
+        return self.columns.get(name, np.full(len(self), np.nan))
+
+    def has(self, *names):
+        return len(self) > 0 and all(name in self.columns and np.isfinite(self[name]).any() for name in names)
+
+    def sure(self):
+        """Which rows are not of tentative tracks."""
+        return np.array([status != "tentative" for status in self.status] or [True] * len(self), dtype=bool)
+
+
+def read_sonar(path):
+    """The plain `key: number` lines of sonar.yaml."""
+    figures = {}
+    if path.is_file():
+        for line in path.read_text(errors="replace").splitlines():
+            found = re.match(r"\s*(\w+)\s*:\s*(-?[\d.eE+-]+)\s*(#.*)?$", line)
+            if found and math.isfinite(to_float(found.group(2))):
+                figures[found.group(1)] = float(found.group(2))
+    return figures
+
+
+class Run:
+    """What a directory holds."""
+
+    def __init__(self, directory, scores):
+        self.scans = Table(directory / "scans.csv")
+        self.vehicle = Table(directory / "vehicle.csv")
+        self.truth = Table(directory / "truth.csv")
+        self.tracks = Table(directory / "tracks.csv")
+        self.ospa = Table(scores) if scores and scores.is_file() else Table(directory / "ospa.csv")
+        self.sonar = read_sonar(directory / "sonar.yaml")
+        self.returns = self.placed_returns()
+
+    def empty(self):
+        return not (len(self.returns) or self.vehicle.has("north_m", "east_m") or self.ospa.has("time_s", "total")
+                    or any(table.has("time_s", "north_m", "east_m") for table in (self.truth, self.tracks)))
+
+    def pose(self, times):
+        """Vehicle north, east, heading at `times`; the origin, looking north, where there is no vehicle.csv."""
+        vehicle = self.vehicle
+        if not vehicle.has("time_s", "north_m", "east_m", "heading_rad"):
+            return np.zeros((3, len(times)))
+        good = np.isfinite(vehicle["time_s"]) & np.isfinite(vehicle["north_m"]) & np.isfinite(vehicle["east_m"])
+        good &= np.isfinite(vehicle["heading_rad"])
+        order = np.argsort(vehicle["time_s"][good], kind="stable")
+        at = vehicle["time_s"][good][order]
+        columns = [vehicle[name][good][order] for name in ("north_m", "east_m")]
+        columns.append(np.unwrap(vehicle["heading_rad"][good][order]))
+        return np.array([np.interp(times, at, column) for column in columns])
+
+    def sonar_pose(self, times):
+        north, east, heading = self.pose(times)
+        forward, starboard = self.sonar.get("mount_x", 0.0), self.sonar.get("mount_y", 0.0)
+        return np.array([north + forward * np.cos(heading) - starboard * np.sin(heading),
+                         east + forward * np.sin(heading) + starboard * np.cos(heading),
+                         heading + math.radians(self.sonar.get("mount_heading_deg", 0.0))])
+
+    def placed_returns(self):
+        """Time, north and east of every return, a row each."""
+        scans = self.scans
+        if not scans.has("time_s", "bearing_rad", "range_m"):
+            return np.empty((0, 3))
+        good = np.isfinite(scans["time_s"]) & np.isfinite(scans["bearing_rad"]) & np.isfinite(scans["range_m"])
+        time, bearing, reach = (scans[name][good] for name in ("time_s", "bearing_rad", "range_m"))
+        north, east, heading = self.sonar_pose(time)
+        angle = heading + bearing
+        return np.column_stack([time, north + reach * np.cos(angle), east + reach * np.sin(angle)])
+
+    def fan_edges(self):
+        """First and last bearing [rad] and range [m] of the sonar: of sonar.yaml, else of the returns."""
+        keys = ("num_beams", "first_bearing_deg", "bearing_step_deg", "max_range")
+        if all(key in self.sonar for key in keys):
+            beams, first, step, reach = (self.sonar[key] for key in keys)
+            return math.radians(first - step / 2), math.radians(first + (beams - 0.5) * step), reach
+        if not self.scans.has("bearing_rad", "range_m"):
+            return None
+        bearing = self.scans["bearing_rad"]
+        return np.nanmin(bearing), np.nanmax(bearing), np.nanmax(self.scans["range_m"])
+
+    def times(self):
+        """First and last time of anything that moves; nothing where there is no time at all."""
+        all_times = [table["time_s"] for table in (self.scans, self.tracks, self.truth) if table.has("time_s")]
+        finite = np.concatenate(all_times)[np.isfinite(np.concatenate(all_times))] if all_times else np.array([])
+        return np.unique(finite)
+
+
+def by_id(table, keep=None):
+    """(id, rows) of each id, in order."""
+    keep = np.ones(len(table), dtype=bool) if keep is None else keep
+    keep = keep & np.isfinite(table["north_m"]) & np.isfinite(table["east_m"])
+    identity = table["id"]
+    for value in np.unique(identity[keep & np.isfinite(identity)]):
+        yield int(value), np.flatnonzero(keep & (identity == value))
