@@ -11,15 +11,18 @@ namespace {
 
 using Field = std::vector<std::complex<double>>;
 
-void add_targets(const core::SonarImage& image, const core::SonarParams& sonar, const ImagePlan& plan,
-                 const core::Pose2& T_earth_sonar, const core::GroundTruth& truth,
-                 const std::vector<double>& snr_db, core::Random& random, Field& field) {
+// The visible targets as an image shows them; each target of the truth takes its draw, seen or not.
+std::vector<ImageTarget> image_targets(const core::SonarParams& sonar, const core::Pose2& T_earth_sonar,
+                                       const core::GroundTruth& truth, const std::vector<double>& snr_db,
+                                       core::Random& random) {
+  std::vector<ImageTarget> targets;
   for (std::size_t i = 0; i < truth.targets.size(); ++i) {
     const double phase = random.uniform(0.0, 2.0 * std::numbers::pi);
     if (!truth.targets[i].visible) continue;
     const core::SonarPoint seen = core::observe(sonar, T_earth_sonar, truth.targets[i].position);
-    add_echo(image, plan, {seen.range, seen.bearing, snr_db[i], phase}, field);
+    targets.push_back({seen.range, seen.bearing, snr_db[i], phase});
   }
+  return targets;
 }
 
 }  // namespace
@@ -37,7 +40,8 @@ core::SonarImage draw_image(const core::SonarParams& sonar, const ImagePlan& pla
   core::SonarImage image = empty_image(sonar, plan);
   image.utime = truth.utime;
   Field field(image.intensity.size());
-  add_targets(image, sonar, plan, T_earth_sonar, truth, snr_db, random, field);
+  for (const ImageTarget& target : image_targets(sonar, T_earth_sonar, truth, snr_db, random))
+    add_echo(image, plan, target, field);
   std::size_t cell = 0;
   for (int beam = 0; beam < image.num_beams; ++beam)
     for (int bin = 0; bin < image.num_bins; ++bin, ++cell) {

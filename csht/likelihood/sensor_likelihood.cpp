@@ -49,16 +49,27 @@ struct Block {
   Lane ratio;
 };
 
+// Consecutive hypotheses of a span.
+struct Part {
+  std::size_t first, count;
+};
+
+// Where they are seen; as many places as the part has hypotheses.
+struct Seen {
+  float* range;    // From the sonar [m].
+  float* bearing;  // From the sector's middle [rad].
+};
+
 LOOKOUT_VECTOR_CLONES
-void place(const ScanTable& scan, const HypothesisSpan& h, std::size_t first, std::size_t count,
-           double seconds, float* range, float* bearing) {
+void place(const ScanTable& scan, const HypothesisSpan& h, Part part, double seconds, Seen seen) {
   const double north0 = scan.T_earth_sonar.north, east0 = scan.T_earth_sonar.east;
   const auto c = static_cast<float>(scan.cos_axis), s = static_cast<float>(scan.sin_axis);
-  const double* north = h.north.data() + first;
-  const double* east = h.east.data() + first;
-  const double* north_velocity = h.north_velocity.data() + first;
-  const double* east_velocity = h.east_velocity.data() + first;
-  for (std::size_t i = 0; i < count; ++i) {
+  const double* north = h.north.data() + part.first;
+  const double* east = h.east.data() + part.first;
+  const double* north_velocity = h.north_velocity.data() + part.first;
+  const double* east_velocity = h.east_velocity.data() + part.first;
+  float *range = seen.range, *bearing = seen.bearing;
+  for (std::size_t i = 0; i < part.count; ++i) {
     const auto dn = static_cast<float>(north[i] + north_velocity[i] * seconds - north0);
     const auto de = static_cast<float>(east[i] + east_velocity[i] * seconds - east0);
     range[i] = std::sqrt(dn * dn + de * de);
@@ -200,7 +211,7 @@ void for_each_block(const ScanTable& scan, const BeamMask* mask, const Hypothesi
   block.shape = shape_of(scan, tolerance);
   for (std::size_t first = 0; first < hypotheses.size(); first += kBlock) {
     const std::size_t count = std::min(kBlock, hypotheses.size() - first);
-    place(scan, hypotheses, first, count, seconds, block.range.data(), block.bearing.data());
+    place(scan, hypotheses, {first, count}, seconds, {block.range.data(), block.bearing.data()});
     if (scan.clutter == ClutterModel::point)
       find_point_ratios(scan, mask, {block.range.data(), count}, {block.bearing.data(), count}, tolerance,
                         {block.ratio.data(), count});
@@ -241,7 +252,7 @@ double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, const Shape
 
 void locate(const ScanTable& scan, const HypothesisSpan& hypotheses, double seconds, std::span<float> range,
             std::span<float> bearing) {
-  place(scan, hypotheses, 0, hypotheses.size(), seconds, range.data(), bearing.data());
+  place(scan, hypotheses, {0, hypotheses.size()}, seconds, {range.data(), bearing.data()});
 }
 
 void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,

@@ -15,7 +15,7 @@ constexpr int kSize = 300;
 
 void one_scan(benchmark::State& state, CellForm form, Truncation truncation) {
   core::Random random(1000);
-  const IntensityFrame frame = noisy_frame(kSize, kSize, 144, 146, 12, 8, random);
+  const IntensityFrame frame = noisy_frame(kSize, kSize, {144, 146}, random);
   HPmhtParams params = improved_h_pmht_4();
   params.form = form;
   params.truncation = truncation;
@@ -28,7 +28,7 @@ void one_scan(benchmark::State& state, CellForm form, Truncation truncation) {
 /// The E-steps alone, prepared once a frame as in a scan: the frame's check against damage left out.
 void four_iterations(benchmark::State& state, CellForm form, Truncation truncation) {
   core::Random random(1000);
-  const IntensityFrame frame = noisy_frame(kSize, kSize, 144, 146, 12, 8, random);
+  const IntensityFrame frame = noisy_frame(kSize, kSize, {144, 146}, random);
   const double threshold = displayed_threshold(frame.noise_level, 5.0);
   const auto e_step = make_cell_expectation(form, truncation);
   const CellModel model{{152.0, 150.0}, {7.6, 7.6}, 0.95};

@@ -18,7 +18,9 @@ NEEDS_NONE = re.compile(
 )
 FORWARD = re.compile(r"^(template ?<.*> ?)?(class|struct|enum class) [\w:]+$")
 TYPE = re.compile(r"^(?:template ?<.*?> ?)?(class|struct|enum class|enum|union) (\w+)")
-COMMENT_OR_LITERAL = re.compile(r'"(\\.|[^"\\])*"|(?<!\w)\'(\\.|[^\'\\])*\'|//[^\n]*|/\*.*?\*/', re.DOTALL)
+COMMENT_OR_LITERAL = re.compile(
+    r'R"(?P<mark>\w*)\(.*?\)(?P=mark)"|"(\\.|[^"\\])*"|(?<!\w)\'(\\.|[^\'\\])*\'|//[^\n]*|/\*.*?\*/', re.DOTALL
+)
 DIRECTIVE = re.compile(r"^[ \t]*#(?:[^\n]*\\\n)*[^\n]*", re.MULTILINE)
 ACCESS = re.compile(r"\s*(public|private|protected)\s*")
 WHOLE, BODY, TYPE_SCOPE = "namespace", "body", "type"
@@ -26,7 +28,7 @@ WHOLE, BODY, TYPE_SCOPE = "namespace", "body", "type"
 
 def blank(match):
     text = match.group()
-    return re.sub(r"[^\n]", " ", text) if text[0] not in "\"'" else "0" * len(text)
+    return re.sub(r"[^\n]", "0" if text[0] in "R\"'" else " ", text)
 
 
 def code_of(text):

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <climits>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -16,6 +17,7 @@
 #include <map>
 #include <random>
 #include <sstream>
+#include <string_view>
 
 #include "core/input_error.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -43,6 +45,18 @@ void write(const std::string& path, const std::string& bytes) {
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
+using namespace std::string_view_literals;
+/// What is put in: first numbers that a reader may trip over, then the signs of CSV and YAML.
+constexpr auto kTokens = std::to_array<std::string_view>(
+    {"nan",  "inf",     "-1",   "0",     "1e308", "1e-308", "-1e9", "99999999999999999999",
+     "0x10", "1.7e+09", ",",    ";",     "\"",    "'",      "\0"sv, "\xff\xfe",
+     "\n",   "\r\n",    "\t",   "- ",    "{",     "}",      "[",    "]",
+     "&a ",  "*a",      "<<: ", "---\n", "#",     ":",      "true", "\xEF\xBB\xBF"});
+constexpr std::size_t kNumbers = 10;     // Of these tokens.
+constexpr std::size_t kLongestCut = 12;  // Bytes that are erased or doubled.
+constexpr std::size_t kKinds = 9;        // Of changes; four of the nine replace a number.
+constexpr std::size_t kLinesToACut = 8;  // Lines are swapped seven times as often as a file is cut off.
+
 /// Changes bytes as storage, editors and people do.
 class Mutator {
  public:
@@ -56,43 +70,11 @@ class Mutator {
 
  private:
   void change(std::string& text) {
-    static const std::array<std::string, 32> kTokens{"nan",
-                                                     "inf",
-                                                     "-1",
-                                                     "0",
-                                                     "1e308",
-                                                     "1e-308",
-                                                     "-1e9",
-                                                     "99999999999999999999",
-                                                     "0x10",
-                                                     "1.7e+09",
-                                                     ",",
-                                                     ";",
-                                                     "\"",
-                                                     "'",
-                                                     std::string(1, '\0'),
-                                                     "\xff\xfe",
-                                                     "\n",
-                                                     "\r\n",
-                                                     "\t",
-                                                     "- ",
-                                                     "{",
-                                                     "}",
-                                                     "[",
-                                                     "]",
-                                                     "&a ",
-                                                     "*a",
-                                                     "<<: ",
-                                                     "---\n",
-                                                     "#",
-                                                     ":",
-                                                     "true",
-                                                     "\xEF\xBB\xBF"};
     const std::size_t at = below(text.size() + 1);
-    const std::size_t length = std::min(text.size() - at, 1 + below(12));
-    switch (below(9)) {
+    const std::size_t length = std::min(text.size() - at, 1 + below(kLongestCut));
+    switch (const std::size_t kind = below(kKinds)) {
       case 0:
-        if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(8)));
+        flip_bit(text, at);
         break;
       case 1:
         text.erase(at, length);
@@ -103,15 +85,16 @@ class Mutator {
       case 3:
         text.insert(at, kTokens[below(kTokens.size())]);
         break;
-      case 4:
-      case 5:
-      case 6:
-      case 7:
-        replace_number(text, at, kTokens[below(10)]);
-        break;
       default:
-        below(8) == 0 ? text.resize(at) : swap_lines(text);
+        if (kind < kKinds - 1)
+          replace_number(text, at, std::string(kTokens[below(kNumbers)]));
+        else
+          below(kLinesToACut) == 0 ? text.resize(at) : swap_lines(text);
     }
+  }
+
+  void flip_bit(std::string& text, std::size_t at) {
+    if (at < text.size()) text[at] = static_cast<char>(text[at] ^ (1 << below(CHAR_BIT)));
   }
 
   static void replace_number(std::string& text, std::size_t at, const std::string& by) {

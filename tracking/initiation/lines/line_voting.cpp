@@ -101,15 +101,14 @@ std::span<const LineVote> declared_lines(const LineGrid& grid, const SparseAccum
   return strongest_peaks(grid, params.peaks(), candidates);
 }
 
-void declare_tracks(const PlotWindow& window, const LineGrid& grid, const SparseAccumulator& votes,
-                    const std::vector<PairPoint>& pairs, const LineVotingParams& params,
+void declare_tracks(const PlotWindow& window, const PairVotes& cast, const LineVotingParams& params,
                     std::vector<LineVote>& candidates, LineTrackBuilder& builder, StartedTracks& started) {
   const double theta_reach = 2.0 * params.theta_tolerance;
   const double rho_reach = 2.0 * params.rho_tolerance;
-  for (const LineVote& peak : declared_lines(grid, votes, params, candidates)) {
-    const NormalLine line = grid.centre(peak.cell);
+  for (const LineVote& peak : declared_lines(cast.grid, cast.votes, params, candidates)) {
+    const NormalLine line = cast.grid.centre(peak.cell);
     builder.clear();
-    for_pairs_near(pairs, line, theta_reach, rho_reach, [&](const PairPoint& pair, const NormalLine&) {
+    for_pairs_near(cast.pairs, line, theta_reach, rho_reach, [&](const PairPoint& pair, const NormalLine&) {
       builder.add(pair.older, pair.weight);
       builder.add(pair.newer, pair.weight);
     });

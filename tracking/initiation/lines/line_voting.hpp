@@ -54,11 +54,17 @@ bool is_local_maximum(const LineGrid& grid, const SparseAccumulator& votes,
 std::span<const LineVote> declared_lines(const LineGrid& grid, const SparseAccumulator& votes,
                                          const LineVotingParams& params, std::vector<LineVote>& candidates);
 
+/// A ballot: the lines that could be voted for, the votes and who cast them.
+struct PairVotes {
+  const LineGrid& grid;                 ///< The lines.
+  const SparseAccumulator& votes;       ///< By cell of the grid.
+  const std::vector<PairPoint>& pairs;  ///< Sorted by theta.
+};
+
 /// Declares the tracks of a sparse accumulator: the pairs in the neighbourhood of each declared line choose
 /// its plots.
-/// @param pairs the voters, sorted by theta. @param candidates, builder scratch memory.
-void declare_tracks(const PlotWindow& window, const LineGrid& grid, const SparseAccumulator& votes,
-                    const std::vector<PairPoint>& pairs, const LineVotingParams& params,
+/// @param candidates, builder scratch memory.
+void declare_tracks(const PlotWindow& window, const PairVotes& cast, const LineVotingParams& params,
                     std::vector<LineVote>& candidates, LineTrackBuilder& builder, StartedTracks& started);
 
 /// Appends every cell with votes to `cells`.

@@ -19,7 +19,7 @@ const StartedTracks& PairVotingInitiator::start(const PlotWindow& window) {
   grid_ = grid_over(window, params_);
   if (!vote(window)) return started_;
   sort_by_theta(pairs_);
-  declare_tracks(window, grid_, votes_, pairs_, params_, candidates_, builder_, started_);
+  declare_tracks(window, {grid_, votes_, pairs_}, params_, candidates_, builder_, started_);
   return started_;
 }
 

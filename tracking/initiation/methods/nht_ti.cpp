@@ -23,7 +23,7 @@ const StartedTracks& NhtTiInitiator::start(const PlotWindow& window) {
   grid_ = grid_over(window, params_.lines);
   if (!vote(window)) return started_;
   sort_by_theta(voters_);
-  declare_tracks(window, grid_, votes_, voters_, params_.lines, candidates_, builder_, started_);
+  declare_tracks(window, {grid_, votes_, voters_}, params_.lines, candidates_, builder_, started_);
   return started_;
 }
 

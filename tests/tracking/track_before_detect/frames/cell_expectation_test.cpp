@@ -13,7 +13,7 @@ class Forms : public ::testing::TestWithParam<Truncation> {};
 TEST_P(Forms, PerCellSeparableAndSparseAgree) {
   core::Random random(1000);
   for (const double decibels : {0.5, 3.0, 5.0}) {
-    const IntensityFrame frame = noisy_frame(60, 40, 26, 16, 12, 8, random);
+    const IntensityFrame frame = noisy_frame(60, 40, {26, 16}, random);
     const double threshold = displayed_threshold(frame.noise_level, decibels);
     Expectation reference;
     for (const CellForm form : {CellForm::per_cell, CellForm::separable, CellForm::sparse}) {
@@ -45,7 +45,7 @@ TEST(CellExpectation, CountsOneIntegralPerExpressionCellAndAxis) {
 TEST(CellExpectation, ExpectedIntensitiesAddUpToTheDisplayedTotal) {
   // Under zero truncation sum_k weight_k n_k + background share = ||Z||: nothing is invented or lost.
   core::Random random(1002);
-  const IntensityFrame frame = noisy_frame(60, 40, 26, 16, 12, 8, random);
+  const IntensityFrame frame = noisy_frame(60, 40, {26, 16}, random);
   const auto e_step = make_cell_expectation(CellForm::sparse, Truncation::zero);
   e_step->prepare(frame, 0.0);
   const std::vector<CellModel> one{{{32.0, 20.0}, {7.6, 7.6}, 0.5}};

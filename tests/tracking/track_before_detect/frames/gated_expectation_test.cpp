@@ -11,7 +11,7 @@ namespace {
 
 TEST(GatedExpectation, EqualsSparseWhereTheGateHoldsTheModel) {
   core::Random random(1001);
-  const IntensityFrame frame = noisy_frame(120, 90, 26, 16, 12, 8, random);
+  const IntensityFrame frame = noisy_frame(120, 90, {26, 16}, random);
   const auto sparse = make_cell_expectation(CellForm::sparse, Truncation::zero);
   const auto gated = make_cell_expectation(CellForm::gated, Truncation::zero, {9.0, 2, 8});
   for (const auto& e_step : {sparse.get(), gated.get()})

@@ -61,7 +61,7 @@ TEST(HPmht, ABatchFollowsAMovingDisc) {
 
 TEST(HPmht, FormsGiveTheSameTracks) {
   core::Random random(1000);
-  const IntensityFrame frame = noisy_frame(60, 50, 26, 20, 12, 8, random);
+  const IntensityFrame frame = noisy_frame(60, 50, {26, 20}, random);
   const auto run = [&](CellForm form, Truncation truncation) {
     HPmhtParams params = improved_h_pmht_4();
     params.form = form;

@@ -24,7 +24,7 @@ void iterate(CellExpectation& e_step, Truncation truncation, CellModel& model, d
 
 int iterations_needed(Truncation truncation, double decibels, std::uint64_t seed) {
   core::Random random(seed);
-  const IntensityFrame frame = noisy_frame(200, 200, 94, 96, 12, 8, random);
+  const IntensityFrame frame = noisy_frame(200, 200, {94, 96}, random);
   const auto e_step = make_cell_expectation(CellForm::sparse, truncation);
   e_step->prepare(frame, displayed_threshold(frame.noise_level, decibels));
   const Eigen::Vector2d centre(100.0, 100.0);
