@@ -6,6 +6,11 @@
 #include "core/parameter_check.hpp"
 
 namespace lookout::fusion {
+namespace {
+
+constexpr double kLeastCoast = 1e-6;  // [s]; a coast of 0 ends a track at once.
+
+}  // namespace
 
 GlobalTracks::GlobalTracks(const GlobalTracksParams& params) : params_(params), pairings_(params.probation) {
   core::require(params.birth_estimates >= 2, "birth_estimates must be >= 2", params.birth_estimates);
@@ -161,7 +166,8 @@ void GlobalTracks::update_status(std::size_t index) {
   if (contributions.empty()) {
     const double silence = core::seconds(utime_ - supported_utime_[index]);
     track.status = core::TrackStatus::coasting;
-    track.existence = params_.local_trust * std::max(0.0, 1.0 - silence / std::max(params_.coast, 1e-6));
+    track.existence =
+        params_.local_trust * std::max(0.0, 1.0 - silence / std::max(params_.coast, kLeastCoast));
     return;
   }
   supported_utime_[index] = utime_;

@@ -18,6 +18,14 @@ constexpr int kCloudWaves = 24;            // sinusoids of the cloud texture
 constexpr double kShortestWave = 20.0, kLongestWave = 100.0;  // [px]
 constexpr int kTextureMargin = 40;                            // columns beyond the frame that the drift needs
 
+constexpr double kLeastVariance = 1e-30;  // of a texture that is scaled: a flat one stays flat
+// The aircraft in units of its length, nose at x = 0.5: half axes of the fuselage; of wing and fin the height
+// and the edges, leading and trailing: at y = 0, then at the tip.
+constexpr double kFuselageLength = 0.5, kFuselageWidth = 0.055;
+constexpr double kWingSpan = 0.33, kFinHeight = 0.22;
+constexpr std::array kWing{-0.18, 0.17, -0.30, -0.16}, kFin{-0.49, -0.34, -0.50, -0.41};
+constexpr double kPathMiddle = 0.05;  // how far from the middle of the frame the path's may lie [sides]
+
 /// Whether `x` lies in the swept quadrilateral between its edges at y = 0 and y = height.
 bool in_swept(double x, double y, double height, std::array<double, 4> edges) {
   const double t = y / height;
@@ -70,8 +78,9 @@ PixelBox box_of(const std::vector<double>& coverage, int size) {
 
 /// Bilinear value of a texture at (x, y) >= 0, its edges repeated.
 double sample_texture(const std::vector<double>& texture, int columns, int rows, double x, double y) {
-  x = std::clamp(x, 0.0, columns - 1.001);
-  y = std::clamp(y, 0.0, rows - 1.001);
+  constexpr double kInside = 1.001;  // The last point between two pixels, a hair from the last pixel.
+  x = std::clamp(x, 0.0, columns - kInside);
+  y = std::clamp(y, 0.0, rows - kInside);
   const int column = static_cast<int>(x), row = static_cast<int>(y);
   const double fx = x - column, fy = y - row;
   const auto at = [&](int c, int r) { return texture[static_cast<std::size_t>(r * columns + c)]; };
@@ -83,7 +92,7 @@ void scale_to_sigma(std::vector<double>& texture, double sigma) {
   double sum = 0.0, squares = 0.0;
   for (const double value : texture) sum += value, squares += value * value;
   const double n = static_cast<double>(texture.size());
-  const double mean = sum / n, deviation = std::sqrt(std::max(squares / n - mean * mean, 1e-30));
+  const double mean = sum / n, deviation = std::sqrt(std::max(squares / n - mean * mean, kLeastVariance));
   for (double& value : texture) value = sigma * (value - mean) / deviation;
 }
 
@@ -93,6 +102,10 @@ void check(const VideoStandInParams& p) {
   core::require(p.tree_sigma >= 0.0, "tree_sigma must be >= 0", p.tree_sigma);
   core::require(p.jitter >= 0.0, "jitter must be >= 0", p.jitter);
   core::require(p.camera_sigma >= 0.0, "camera_sigma must be >= 0", p.camera_sigma);
+  core::require(std::isfinite(p.cloud_drift), "cloud_drift must be finite", p.cloud_drift);
+  core::require_not_negative("sway", p.sway);
+  core::require_not_negative("max_heading", p.max_heading);
+  core::require_not_negative("mover_offset", p.mover_offset);
   core::require(p.num_movers >= 0, "num_movers must be >= 0", p.num_movers);
   core::require(p.mover_area > 0.0, "mover_area must be > 0", p.mover_area);
 }
@@ -133,9 +146,9 @@ VideoStandInParams hard_video() {
 
 bool silhouette_covers(const Eigen::Vector2d& p) {
   const double x = p.x(), y = p.y();
-  if (x * x / 0.25 + y * y / (0.055 * 0.055) <= 1.0) return true;      // fuselage 1 : 0.11
-  if (in_swept(x, y, 0.33, {-0.18, 0.17, -0.30, -0.16})) return true;  // swept wing
-  return in_swept(x, -y, 0.22, {-0.49, -0.34, -0.50, -0.41});          // tail fin
+  const bool fuselage =
+      x * x / (kFuselageLength * kFuselageLength) + y * y / (kFuselageWidth * kFuselageWidth) <= 1.0;
+  return fuselage || in_swept(x, y, kWingSpan, kWing) || in_swept(x, -y, kFinHeight, kFin);
 }
 
 VideoStandIn::VideoStandIn(const VideoScenario& scenario, const VideoStandInParams& params,
@@ -156,7 +169,7 @@ void VideoStandIn::lay_path(core::Random& random) {
   direction_ = {std::cos(heading), std::sin(heading)};
   const double length = scenario_.speed * scenario_.frame_step * (params_.num_samples - 1);
   const double side = scenario_.size;
-  const Eigen::Vector2d middle(0.5 * side, 0.5 * side + random.uniform(-0.05, 0.05) * side);
+  const Eigen::Vector2d middle(0.5 * side, 0.5 * side + random.uniform(-kPathMiddle, kPathMiddle) * side);
   start_ = middle - 0.5 * length * direction_;
 }
 

@@ -36,10 +36,11 @@ struct VideoStandInParams {
   double jitter = 0.25;         ///< Standard deviation of the tree line's shift in each frame [px], >= 0.
   double camera_sigma = 0.5;    ///< Camera noise [grey levels], >= 0.
   double sway = 4.0;            ///< Amplitude of the half sinusoid across the path [px], >= 0.
-  double max_heading = 0.2094;  ///< The path's heading is uniform within +- this [rad] (12 degrees).
+  double max_heading = 0.2094;  ///< The path's heading is uniform within +- this [rad], >= 0 (12 degrees).
   int num_movers = 0;           ///< Small dark discs that cross the path, >= 0.
   double mover_area = 12.0;     ///< [px^2], > 0.
-  double mover_offset = 5.0;  ///< Standard deviation per axis of where a mover crosses, from the target [px].
+  double mover_offset =
+      5.0;  ///< Standard deviation per axis of where a mover crosses, from the target [px], >= 0.
 };
 VideoStandInParams plain_video();  ///< As the paper describes it: nothing harder.
 VideoStandInParams hard_video();   ///< Jitter 1 px and three movers.

@@ -11,6 +11,12 @@
 namespace lookout::csht {
 namespace {
 
+/// The variance of what lies anywhere in a cell of side `step`, [step]^2.
+double cell_variance(double step) {
+  constexpr double kUniform = 12.0;  // Width squared over variance of a uniform distribution.
+  return step * step / kUniform;
+}
+
 /// The paper's votes: a whole one in the cell that holds the intercept, every line sample for itself.
 VoteParams plain_votes() {
   VoteParams votes;
@@ -113,9 +119,8 @@ void CshtPrintedEstimator::report(const Line& north, const Line& east) {
   const double window = window_.scans().back().time - window_.scans().front().time;
   Candidate target;
   target.state << north.intercept, east.intercept, north.velocity, east.velocity;
-  const double position = (grid.intercept_step * grid.intercept_step) / 12.0 + sigma * sigma;
-  const double velocity =
-      (grid.velocity_step * grid.velocity_step) / 12.0 + sigma * sigma / (window * window);
+  const double position = cell_variance(grid.intercept_step) + sigma * sigma;
+  const double velocity = cell_variance(grid.velocity_step) + sigma * sigma / (window * window);
   target.covariance.diagonal() << position, position, velocity, velocity;
   target.support = static_cast<int>(east_samples_.size());
   elements_.push_back(to_element(target, window_, window_.scans().front().time));

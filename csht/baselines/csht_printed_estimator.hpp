@@ -18,9 +18,15 @@ struct CshtPrintedParams {
   double intercept_step = 5.0;   ///< h_n0 [m], > 0.
   double velocity_step = 0.1;    ///< h_v [m/s], > 0.
   /// Of the cells that are clustered. [Yan2018] Eq. (17).
-  PrimaryThresholdParams threshold{0.35, 0.0, 2.0, 0.0};
+  PrimaryThresholdParams threshold{.peak_share = 0.35, .floor = 0.0, .mean_factor = 2.0, .mean_root = 0.0};
   /// Of the clustering. [Yan2018] section III.
-  FuzzyIsodataParams isodata{2.5, 0.3, 0.7, 0.4, 2.0, 1.0, 0.05};
+  FuzzyIsodataParams isodata{.fuzzifier = 2.5,
+                             .core_membership = 0.3,
+                             .aggregation = 0.7,
+                             .combination = 0.4,
+                             .division_spread = 2.0,
+                             .division_step = 1.0,
+                             .deletion = 0.05};
   int first_classes = 6;         ///< Spread evenly over the kept cells, > 0.
   SingleLineParams single_line;  ///< Which classes are one line.
 };

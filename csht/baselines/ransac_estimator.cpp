@@ -19,9 +19,14 @@ namespace {
 using Points = mrpt::math::CMatrixDynamic<double>;  // 2 x N: north, east.
 using Line = mrpt::math::CMatrixDynamic<double>;    // 1 x 3: a n + b e + c = 0 with a^2 + b^2 = 1.
 
+constexpr double kTooNear = 1e-6;  // Two points through which no line is laid [m].
+constexpr double kLeastDeterminant =
+    1e-9;  // Of a regression over time; below it all detections have one time.
+constexpr std::uint64_t kSeedFactor = 2654435761U;  // 2^32 over the golden ratio: spreads neighbouring seeds.
+
 bool too_near(const Points& points, const std::vector<std::size_t>& pair) {
   const auto a = static_cast<int>(pair[0]), b = static_cast<int>(pair[1]);
-  return std::hypot(points(0, a) - points(0, b), points(1, a) - points(1, b)) < 1e-6;
+  return std::hypot(points(0, a) - points(0, b), points(1, a) - points(1, b)) < kTooNear;
 }
 
 void line_through(const Points& points, const std::vector<std::size_t>& pair, std::vector<Line>& lines) {
@@ -120,7 +125,7 @@ std::vector<std::size_t> RansacEstimator::best_line(const std::vector<core::Dete
     matrix(0, i) = points[static_cast<std::size_t>(i)].p_earth.x();
     matrix(1, i) = points[static_cast<std::size_t>(i)].p_earth.y();
   }
-  const auto seed = static_cast<std::uint32_t>(seed_ * 2654435761U + static_cast<std::uint64_t>(sequence_));
+  const auto seed = static_cast<std::uint32_t>(seed_ * kSeedFactor + static_cast<std::uint64_t>(sequence_));
   auto inliers = ransac_line(matrix, params_.threshold * sonar_.range_sigma, params_.max_draws, seed);
   std::sort(inliers.begin(), inliers.end());
   return inliers.size() >= needed ? inliers : std::vector<std::size_t>{};
@@ -136,7 +141,7 @@ void RansacEstimator::report(const std::vector<core::Detection>& own) {
     sums += basis * detection.p_earth.transpose();
   }
   const Eigen::LDLT<Eigen::Matrix2d> solver(normal);
-  if (!(normal.determinant() > 1e-9)) return;
+  if (!(normal.determinant() > kLeastDeterminant)) return;
   const Eigen::Matrix2d fit = solver.solve(sums);
   const Eigen::Matrix2d spread =
       sonar_.range_sigma * sonar_.range_sigma * solver.solve(Eigen::Matrix2d::Identity());

@@ -64,9 +64,13 @@ TEST(VideoStandIn, TheSameSeedRepeats) {
 
 TEST(VideoStandIn, RefusesParametersOutOfRange) {
   core::Random random(1);
-  VideoStandInParams params;
-  params.jitter = -1.0;
-  EXPECT_THROW(VideoStandIn(video_scenarios()[0], params, random), std::invalid_argument);
+  for (double VideoStandInParams::*const field :
+       {&VideoStandInParams::jitter, &VideoStandInParams::sway, &VideoStandInParams::max_heading,
+        &VideoStandInParams::mover_offset}) {
+    VideoStandInParams params;
+    params.*field = -1.0;
+    EXPECT_THROW(VideoStandIn(video_scenarios()[0], params, random), std::invalid_argument);
+  }
 }
 
 }  // namespace

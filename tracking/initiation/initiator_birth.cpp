@@ -14,7 +14,10 @@ namespace {
 constexpr double kGateProbability = 0.99;  // Share of a track's own plots that it explains.
 constexpr double kVelocityTime =
     5.0;  // A window of this length measures a velocity to range_sigma / 5 s or so [s].
-constexpr double kShareOfPlots = 0.6;          // K of N where P_M is not known.
+constexpr double kShareOfPlots = 0.6;     // K of N where P_M is not known.
+constexpr double kShareOfDetected = 0.8;  // K over the plots that a target in view has in N scans.
+constexpr int kLeastPlots = 3;            // Two lie on one course whatever made them.
+constexpr int kLeastVelocityScans = 4;
 constexpr double kFalseTracksPerScan = 0.003;  // At two scans a second, one in about three minutes.
 constexpr double kAccelerationSigma = 0.1;     // [m/s^2], as the trackers'.
 constexpr int kLongestWindow = 20;             // Scans: [Yan2018] section V.A.
@@ -30,14 +33,16 @@ bool suits_any_sensor(const std::string& initiator) {
 
 /// K of N such that a target in view is missed in few windows.
 int plots_needed(const core::SonarParams& sonar, int window_scans) {
-  const double detected = sonar.miss_probability ? 1.0 - *sonar.miss_probability : kShareOfPlots / 0.8;
-  return std::clamp(static_cast<int>(std::floor(0.8 * detected * window_scans)), 3, window_scans);
+  const double detected =
+      sonar.miss_probability ? 1.0 - *sonar.miss_probability : kShareOfPlots / kShareOfDetected;
+  const auto plots = static_cast<int>(std::floor(kShareOfDetected * detected * window_scans));
+  return std::clamp(plots, kLeastPlots, window_scans);
 }
 
 /// Scans of the window that measures a velocity (see `kVelocityTime`).
 int velocity_scans(const core::SonarParams& sonar) {
   const int scans = static_cast<int>(std::lround(kVelocityTime / sonar.scan_period));
-  return std::clamp(scans, 4, kLongestWindow);
+  return std::clamp(scans, kLeastVelocityScans, kLongestWindow);
 }
 
 /// Error of the difference of two plots [m].

@@ -100,9 +100,8 @@ Eigen::Matrix2d polar_noise(const Eigen::Vector2d& offset, double range_sigma, d
   if (range == 0.0) return range_sigma * range_sigma * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d along = offset / range;
   const Eigen::Vector2d across(-along.y(), along.x());
-  // The error across the line of sight is at least a thousandth of the range error, so that it is never 0 at
-  // the sensor itself.
-  const double across_sigma = std::max(range * azimuth_sigma, 1e-3 * range_sigma);
+  constexpr double kLeastAcross = 1e-3;  // Of the range error, so that it is never 0 at the sensor itself.
+  const double across_sigma = std::max(range * azimuth_sigma, kLeastAcross * range_sigma);
   return range_sigma * range_sigma * along * along.transpose() +
          across_sigma * across_sigma * across * across.transpose();
 }

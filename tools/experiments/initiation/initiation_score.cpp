@@ -6,6 +6,7 @@
 namespace lookout::tools {
 namespace {
 
+constexpr double kTrueShare = 0.75;  // Of a track's plots, or of the window's scans, from one target.
 constexpr double kMostDiscrimination = 99.0;  // Where there is no false cell at all.
 
 /// The target with most plots in a track, and how many.
@@ -27,9 +28,9 @@ Majority majority_of(const InitiationScene& scene, const TrackSources& track) {
 
 bool is_true(const Majority& majority, std::size_t track_plots, int window_scans, TrueTrack reading) {
   const double plots = static_cast<double>(track_plots);
-  if (reading == TrueTrack::share) return majority.plots >= 0.75 * plots;
+  if (reading == TrueTrack::share) return majority.plots >= kTrueShare * plots;
   if (reading == TrueTrack::lenient) return majority.plots > 0.5 * plots;
-  return majority.plots >= std::ceil(0.75 * window_scans);
+  return majority.plots >= std::ceil(kTrueShare * window_scans);
 }
 
 /// A cell as a line, seen from one target.

@@ -14,6 +14,9 @@ constexpr int kWindowScans = 7;  // [Fan2018] section V
 constexpr double kRealPositionSigma =
     60.0;  // docs/initiators.md: from the residuals of Table 3 to constant velocity, 24-75 m.
 
+constexpr double kSimulatedReach = 50.0, kRealReach = 150.0;  // Of a target's peak across its course [m].
+constexpr double kWholeClutter = 10.0;                        // Plots a scan in Situations I to IV.
+
 /// A method and the reading of it; the accumulator of a perfect target is `ideal` high, 0 where there is
 /// none.
 struct Contender {
@@ -121,7 +124,7 @@ std::vector<Cell> NhtSimulated::cells() const {
   for (const char* noise : {"consistent", "printed"}) {
     for (const Contender& contender : kContenders) {
       for (const char* situation : {"I", "II", "III", "IV"})
-        cells.push_back(cell_of(contender, situation, noise, 10));
+        cells.push_back(cell_of(contender, situation, noise, kWholeClutter));
       // 64 plots a scan is the printed density, 10 per km^2, over the scene's area.
       for (const double clutter : {5.0, 20.0, 50.0, 64.0})
         cells.push_back(cell_of(contender, "IV", noise, clutter));
@@ -142,7 +145,8 @@ Metrics NhtSimulated::run(const Cell& cell, std::uint64_t seed, int run) const {
   const FanSceneParams params = scene_of(cell);
   core::Random random(seed, core::RandomStream::experiment, static_cast<std::uint64_t>(run));
   const InitiationScene scene = fan_scene(params, random);
-  return measure(cell, scene, config_of(cell, plot_sigma(params), acceleration_sigma(params)), 50.0);
+  return measure(cell, scene, config_of(cell, plot_sigma(params), acceleration_sigma(params)),
+                 kSimulatedReach);
 }
 
 /// The accumulators of the first run of Situations I to IV, for pictures like the paper's Fig. 3 to 10.
@@ -150,7 +154,7 @@ void NhtSimulated::write_extras(std::uint64_t seed, const std::string& directory
   for (const char* situation : {"I", "II", "III", "IV"}) {
     for (const Contender& contender : kContenders) {
       if (contender.ideal == 0.0) continue;
-      const Cell cell = cell_of(contender, situation, "consistent", 10.0);
+      const Cell cell = cell_of(contender, situation, "consistent", kWholeClutter);
       core::Random random(seed, core::RandomStream::experiment, 0);
       const InitiationScene scene = fan_scene(scene_of(cell), random);
       write_accumulator(contender, scene, config_of(cell, 1.0, 0.0), directory + "/accumulator_" + situation);
@@ -211,7 +215,7 @@ Metrics NhtReal::run(const Cell& cell, std::uint64_t seed, int run) const {
   core::Random random(seed, core::RandomStream::experiment, static_cast<std::uint64_t>(run));
   const InitiationScene scene =
       real_scene(cell.parameters.number("clutter_per_scan"), kRealPositionSigma, random);
-  return measure(cell, scene, config_of(cell, kRealPositionSigma, 0.0), 150.0);
+  return measure(cell, scene, config_of(cell, kRealPositionSigma, 0.0), kRealReach);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ namespace {
 
 constexpr const char* kWindowScene = "window_table2.yaml";
 constexpr std::array kProbabilities{0.1, 0.3, 0.5, 0.7};
+constexpr int kWindow = 20;                       // Scans: [Yan2018] section V.A.
+constexpr std::array kExistences{0.6, 0.8, 0.9};  // The classes of the calibration lie between these.
 constexpr int kPairWindow = 40;
 constexpr double kOnTarget = 10.0;  // An element this near a target is that target's [m].
 constexpr double kEmptySeaSeconds = 500.0;
@@ -124,11 +126,11 @@ Metrics calibration_metrics(std::uint64_t seed, int run) {
   for (const double p_miss : kProbabilities) {
     for (const double p_false_alarm : kProbabilities) {
       const SceneVariant variant{p_false_alarm, p_miss, 3.0, sonar_sim::ClutterReading::literal};
-      const Window window = estimate(load_variant(kWindowScene, variant), variant, 20, seed, run);
+      const Window window = estimate(load_variant(kWindowScene, variant), variant, kWindow, seed, run);
       const Points truth = visible_positions(window.scans.back().truth);
       for (const auto& element : window.elements) {
-        if (element.existence < 0.6 || element.existence >= 0.9) continue;
-        const std::size_t bin = element.existence >= 0.8 ? 1 : 0;
+        if (element.existence < kExistences.front() || element.existence >= kExistences.back()) continue;
+        const std::size_t bin = element.existence >= kExistences[1] ? 1 : 0;
         number[bin] += 1.0;
         share[bin] += nearest(truth, element.position) < kOnTarget ? 1.0 : 0.0;
       }
@@ -145,7 +147,7 @@ Metrics calibration_metrics(std::uint64_t seed, int run) {
 Metrics clutter_metrics(const SceneVariant& variant, std::uint64_t seed, int run) {
   auto scene = load_variant(kWindowScene, variant);
   scene.targets.clear();
-  const Window window = estimate(scene, variant, 20, seed, run);
+  const Window window = estimate(scene, variant, kWindow, seed, run);
   Metrics metrics;
   metrics["evidence"] = window.odds / csht::TargetPriorParams{}.expected_targets;
   metrics["count_correct"] = window.elements.empty() ? 1.0 : 0.0;
@@ -218,9 +220,9 @@ std::vector<Cell> Limits::cells() const {
     for (const double p : kProbabilities) cells.push_back(limits_cell("anywhere", p, p, 3.0, window_scans));
   for (const char* pair : {"pair_parallel_8m", "pair_crossing", "pair_behind"})
     cells.push_back(limits_cell(pair, 0.3, 0.3, 3.0, kPairWindow));
-  cells.push_back(limits_cell("calibration", 0.0, 0.0, 3.0, 20));
-  for (const double p : kProbabilities) cells.push_back(limits_cell("clutter_only", p, 0.3, 3.0, 20));
-  cells.push_back(limits_cell("empty_sea", 0.7, 0.3, 3.0, 20));
+  cells.push_back(limits_cell("calibration", 0.0, 0.0, 3.0, kWindow));
+  for (const double p : kProbabilities) cells.push_back(limits_cell("clutter_only", p, 0.3, 3.0, kWindow));
+  cells.push_back(limits_cell("empty_sea", 0.7, 0.3, 3.0, kWindow));
   cells.back().max_runs = 10;  // Of 1000 scans each.
   return cells;
 }

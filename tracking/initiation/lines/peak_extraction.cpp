@@ -1,6 +1,7 @@
 #include "tracking/initiation/lines/peak_extraction.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 #include <tuple>
 
@@ -8,6 +9,8 @@ namespace lookout::tracking {
 
 std::span<const LineVote> strongest_peaks(const LineGrid& grid, const PeakParams& params,
                                           std::vector<LineVote>& candidates) {
+  assert(params.theta_radius >= 0 && params.rho_radius >= 0 && params.layer_radius >= 0 &&
+         params.max_peaks >= 1);
   std::sort(candidates.begin(), candidates.end(), [&](const LineVote& a, const LineVote& b) {
     return std::tuple(-a.value, grid.index(a.cell), a.layer) <
            std::tuple(-b.value, grid.index(b.cell), b.layer);

@@ -11,12 +11,15 @@
 namespace lookout::tracking {
 namespace {
 
+constexpr double kKnownSpeed = 500.0;   // Eastward [m/s].
+constexpr double kKnownVariance = 1e4;  // Of a plot, north and east [m^2].
+
 /// Values of the authors' program that the paper does not state; docs/initiators.md lists them.
 void add_unstated_knowledge(GateLogicParams& gates) {
   gates.known_course = Eigen::Vector2d(1.0, 0.0);
-  gates.known_velocity = Eigen::Vector2d(500.0, 0.0);
+  gates.known_velocity = Eigen::Vector2d(kKnownSpeed, 0.0);
   gates.drop_lonely_roots = true;
-  gates.noise = 1e4 * Eigen::Matrix2d::Identity();
+  gates.noise = kKnownVariance * Eigen::Matrix2d::Identity();
 }
 
 }  // namespace
@@ -36,6 +39,7 @@ AgFhtInitiator::AgFhtInitiator(const AgFhtParams& params)
       grid_(params.grid.num_theta, params.grid.num_rho, params.grid.half_range),
       gates_(params.gates) {
   core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
+  core::require(params.window_scans >= 2, "window_scans must be >= 2", params.window_scans);
   core::require(params.reach >= 0, "reach must be >= 0", params.reach);
   core::require_positive("cell_sigma", params.cell_sigma);
   core::require(params.share_of_highest > 0.0 && params.share_of_highest < 1.0,

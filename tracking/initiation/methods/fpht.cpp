@@ -21,6 +21,7 @@ FphtInitiator::FphtInitiator(const FphtParams& params)
   core::require(params.reach >= 0, "reach must be >= 0", params.reach);
   core::require_positive("cell_sigma", params.cell_sigma);
   core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
+  core::require(params.window_scans >= 2, "window_scans must be >= 2", params.window_scans);
   core::require(params.max_tracks >= 1, "max_tracks must be >= 1", params.max_tracks);
   for (int i = 0; i < grid_.num_theta(); ++i) normals_.push_back(NormalLine{0.0, grid_.theta_of(i)}.normal());
 }

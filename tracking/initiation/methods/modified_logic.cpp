@@ -16,6 +16,7 @@ constexpr double kGate = 25.0;                  // Likewise.
 ModifiedLogicInitiator::ModifiedLogicInitiator(const ModifiedLogicParams& params)
     : params_(params), gates_(params.gates) {
   core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
+  core::require(params.window_scans >= 2, "window_scans must be >= 2", params.window_scans);
 }
 
 const StartedTracks& ModifiedLogicInitiator::start(const PlotWindow& window) {

@@ -15,6 +15,8 @@ constexpr std::int64_t kMaxVotes = 1'000'000'000;  // A few seconds.
 SequenceHtInitiator::SequenceHtInitiator(const SequenceHtParams& params)
     : params_(params), grid_(params.grid.num_theta, params.grid.num_rho, params.grid.half_range) {
   core::require(params.num_tracks >= 1, "num_tracks must be >= 1", params.num_tracks);
+  core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
+  core::require(params.window_scans >= 2, "window_scans must be >= 2", params.window_scans);
   params.motion.validate();
 }
 

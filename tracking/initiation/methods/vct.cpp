@@ -38,6 +38,8 @@ void VctParams::validate() const {
                 gate_probability);
   core::require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability must be in (0, 1)",
                 chain_probability);
+  core::require_not_negative("margin_sigmas", margin_sigmas);
+  if (clutter_per_area) core::require_positive("clutter_per_area", *clutter_per_area);
   core::require(max_false_tracks > 0.0, "max_false_tracks must be > 0", max_false_tracks);
   core::require(max_branches_per_plot >= 1, "max_branches_per_plot must be >= 1", max_branches_per_plot);
   core::require(max_branches >= 1, "max_branches must be >= 1", max_branches);

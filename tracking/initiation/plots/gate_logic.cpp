@@ -15,6 +15,7 @@ void GateLogicParams::validate() const {
   core::require_not_negative("max_acceleration", max_acceleration);
   core::require(gate > 0.0, "gate must be > 0", gate);
   core::require(turn_rate > 0.0, "turn_rate must be > 0", turn_rate);
+  if (max_turn) core::require_positive("max_turn", *max_turn);
   core::require(max_misses >= 0, "max_misses must be >= 0", max_misses);
 }
 

@@ -63,10 +63,13 @@ TEST(LineVoting, NothingIsDeclaredWhereNothingVoted) {
   EXPECT_TRUE(declared({}, candidates).empty());
 }
 
-TEST(LineVoting, RefusesCellsWithoutWidth) {
+TEST(LineVoting, RefusesParametersOutOfRange) {
   LineVotingParams params;
   EXPECT_NO_THROW(params.validate());
   params.rho_step = 0.0;
+  EXPECT_THROW(params.validate(), std::invalid_argument);
+  params = {};
+  params.window_scans = 1;
   EXPECT_THROW(params.validate(), std::invalid_argument);
 }
 

@@ -40,5 +40,14 @@ TEST(AgFht, FewerThanThreePlotsAreNoCandidate) {
   EXPECT_TRUE(method->start(test::scene_of({{{0, 0}, {500, 0}}}, options, random)).tracks.empty());
 }
 
+TEST(AgFht, RefusesParametersOutOfRange) {
+  AgFhtParams params;
+  params.min_plots = 1;
+  EXPECT_THROW(AgFhtInitiator{params}, std::invalid_argument);
+  params = {};
+  params.window_scans = 1;
+  EXPECT_THROW(AgFhtInitiator{params}, std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lookout::tracking

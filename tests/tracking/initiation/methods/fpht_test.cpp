@@ -47,9 +47,12 @@ TEST(Fpht, AMembershipFallsAsAGaussianOverTheRows) {
   }
 }
 
-TEST(Fpht, RefusesAMembershipWithoutWidth) {
+TEST(Fpht, RefusesParametersOutOfRange) {
   FphtParams params;
   params.cell_sigma = 0.0;
+  EXPECT_THROW(FphtInitiator{params}, std::invalid_argument);
+  params = {};
+  params.window_scans = 1;
   EXPECT_THROW(FphtInitiator{params}, std::invalid_argument);
 }
 

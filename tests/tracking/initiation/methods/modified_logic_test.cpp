@@ -38,5 +38,14 @@ TEST(ModifiedLogic, ATurnOfMoreThanThirtyDegreesIsRefused) {
   EXPECT_TRUE(method->start(window_of(31.0, true)).tracks.empty());
 }
 
+TEST(ModifiedLogic, RefusesParametersOutOfRange) {
+  ModifiedLogicParams params;
+  params.min_plots = 1;
+  EXPECT_THROW(ModifiedLogicInitiator{params}, std::invalid_argument);
+  params = {};
+  params.window_scans = 1;
+  EXPECT_THROW(ModifiedLogicInitiator{params}, std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lookout::tracking

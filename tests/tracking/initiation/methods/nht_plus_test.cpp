@@ -54,9 +54,16 @@ TEST(NhtPlus, VotesOverTheEndOfThetaReachTheSameCell) {
 }
 
 TEST(NhtPlus, RefusesBadParameters) {
-  NhtPlusParams bad = params();
-  bad.min_plots = 2;
-  EXPECT_THROW(NhtPlusInitiator{bad}, std::invalid_argument);
+  const auto refused = [](auto spoil) {
+    NhtPlusParams bad = params();
+    spoil(bad);
+    EXPECT_THROW(NhtPlusInitiator{bad}, std::invalid_argument);
+  };
+  refused([](auto& p) { p.min_plots = 2; });
+  refused([](auto& p) { p.window_scans = 1; });
+  refused([](auto& p) { p.peak_threshold = 0.0; });
+  refused([](auto& p) { p.chain_probability = 1.0; });
+  refused([](auto& p) { p.max_tracks = 0; });
 }
 
 }  // namespace

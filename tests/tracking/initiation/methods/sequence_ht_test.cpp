@@ -33,5 +33,14 @@ TEST(SequenceHt, TakesTheHighestCellFirstAndItsPlotsAway) {
   EXPECT_EQ(std::adjacent_find(plots.begin(), plots.end()), plots.end());  // No plot twice.
 }
 
+TEST(SequenceHt, RefusesParametersOutOfRange) {
+  SequenceHtParams params;
+  params.min_plots = 1;
+  EXPECT_THROW(SequenceHtInitiator{params}, std::invalid_argument);
+  params = {};
+  params.window_scans = 1;
+  EXPECT_THROW(SequenceHtInitiator{params}, std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lookout::tracking

@@ -88,6 +88,12 @@ TEST(Vct, RefusesParametersOutOfRange) {
   params.min_plots = 5;  // of a window of 4
   EXPECT_THROW(VctInitiator{params}, std::invalid_argument);
   params = {};
+  params.margin_sigmas = -1.0;
+  EXPECT_THROW(VctInitiator{params}, std::invalid_argument);
+  params = {};
+  params.clutter_per_area = 0.0;
+  EXPECT_THROW(VctInitiator{params}, std::invalid_argument);
+  params = {};
   params.speeds = {};  // no largest speed
   EXPECT_THROW(VctInitiator{params}, std::invalid_argument);
 }

@@ -90,6 +90,9 @@ TEST(GateLogic, RefusesParametersOutOfRange) {
   GateLogicParams params;
   params.gate = 0.0;
   EXPECT_THROW(GateLogic{params}, std::invalid_argument);
+  params = {};
+  params.max_turn = 0.0;
+  EXPECT_THROW(GateLogic{params}, std::invalid_argument);
 }
 
 }  // namespace
