@@ -2,11 +2,8 @@
 
 #include <cmath>
 
-#include "core/field_of_view.hpp"
 #include "core/parameter_check.hpp"
-#include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
-#include "tracking/initiation/proposed_births.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -25,11 +22,9 @@ PaperKalmanParams noises_of(const core::SonarParams& sonar) {
 
 KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar,
                              std::unique_ptr<BirthMethod> births)
-    : params_(params),
-      sonar_(sonar),
+    : DetectionTracker(params.life, sonar, std::move(births)),
       gate_(chi_square_gate(params.gate_probability, 2)),
-      book_(params.life),
-      births_(std::move(births)),
+      gate_distance_(params.gate_distance),
       filter_(noises_of(sonar)),
       choose_([this](const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation) {
         return nearest(predicted, innovation);
@@ -37,23 +32,11 @@ KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams
   core::require(params.gate_distance > 0.0, "gate_distance must be > 0", params.gate_distance);
 }
 
-std::span<const core::Track> KalmanTracker::update(const core::PosedScan& scan,
-                                                   std::span<const core::MotionElement> /*elements*/) {
-  const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
-  csht::scan_to_detections(scan, 0, detections_);
-  free_detection_.assign(detections_.size(), 1);
-  supported_.assign(book_.tracks().size(), 0);
+void KalmanTracker::take(const core::PosedScan& scan, const core::SonarParams& /*sonar*/) {
   const double seconds = core::seconds(scan.scan.utime - utime_);
   utime_ = scan.scan.utime;
   filter(seconds, true);
   filter(seconds, false);
-  book_.step(scan, sonar, supported_);
-  if (births_ != nullptr)
-    begin_on_proposals(*births_, scan, sonar, book_);
-  else
-    begin_on_free_detections();
-  rate();
-  return book_.tracks();
 }
 
 void KalmanTracker::filter(double seconds, bool confirmed) {
@@ -71,7 +54,7 @@ std::optional<Eigen::Vector2d> KalmanTracker::nearest(const Eigen::Vector2d& pre
   double best_distance = gate_;
   for (std::size_t j = 0; j < detections_.size(); ++j) {
     const Eigen::Vector2d difference = detections_[j].p_earth - predicted;
-    if (!free_detection_[j] || difference.norm() >= params_.gate_distance) continue;
+    if (!free_detection_[j] || difference.norm() >= gate_distance_) continue;
     const double distance = squared_distance(difference, innovation);
     if (distance >= best_distance) continue;
     best = j;
@@ -82,21 +65,8 @@ std::optional<Eigen::Vector2d> KalmanTracker::nearest(const Eigen::Vector2d& pre
   return detections_[*best].p_earth;
 }
 
-void KalmanTracker::begin_on_free_detections() {
-  for (std::size_t j = 0; j < detections_.size(); ++j) {
-    if (!free_detection_[j]) continue;
-    const Eigen::Vector2d& position = detections_[j].p_earth;
-    book_.begin(utime_, {position.x(), position.y(), 0.0, 0.0}, filter_.initial_covariance());
-  }
-}
-
-void KalmanTracker::rate() {
-  // As in the GNN baseline: confirmed counts as sure, tentative as a share of M below one half.
-  const auto tracks = book_.tracks();
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    const double share = 0.5 * book_.life(i).hits() / (params_.life.confirm_hits + 1.0);
-    tracks[i].existence = tracks[i].status == core::TrackStatus::tentative ? share : 1.0;
-  }
+void KalmanTracker::begin_on(const core::Detection& detection, const core::SonarParams& /*sonar*/) {
+  book_.begin(utime_, {detection.p_earth.x(), detection.p_earth.y(), 0.0, 0.0}, filter_.initial_covariance());
 }
 
 }  // namespace lookout::tracking

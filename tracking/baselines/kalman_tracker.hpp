@@ -1,14 +1,7 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
-#include "core/detection.hpp"
-#include "core/sonar_params.hpp"
+#include "tracking/baselines/detection_tracker.hpp"
 #include "tracking/baselines/paper_kalman_filter.hpp"
-#include "tracking/initiation/birth_method.hpp"
-#include "tracking/management/track_book.hpp"
-#include "tracking/tracker.hpp"
 
 namespace lookout::tracking {
 
@@ -26,32 +19,21 @@ struct KalmanParams {
 
 /// A Kalman filter a target and nearest-neighbour association: each track in turn, the confirmed ones first,
 /// takes the free detection nearest to its prediction.
-class KalmanTracker : public Tracker {
+class KalmanTracker : public DetectionTracker {
  public:
   /// The noises follow from the sonar: an acceleration of variance 2 sigma / Ts^2, and sigma.
   /// @throws std::invalid_argument on a parameter out of range.
   KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar,
                 std::unique_ptr<BirthMethod> births = nullptr);
 
-  /// Works on detections alone: `elements` are not used.
-  std::span<const core::Track> update(const core::PosedScan& scan,
-                                      std::span<const core::MotionElement> elements) override;
-  std::int64_t next_id() const override { return book_.next_id(); }
-  void set_next_id(std::int64_t id) override { book_.set_next_id(id); }
-
  private:
+  void take(const core::PosedScan& scan, const core::SonarParams& sonar) override;
+  void begin_on(const core::Detection& detection, const core::SonarParams& sonar) override;
   void filter(double seconds, bool confirmed);
   std::optional<Eigen::Vector2d> nearest(const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation);
-  void begin_on_free_detections();
-  void rate();
 
-  KalmanParams params_;
-  core::SonarParams sonar_;
-  double gate_;
-  TrackBook book_;
-  std::unique_ptr<BirthMethod> births_;  ///< Where tracks begin in place of free detections; may be null.
-  std::vector<core::Detection> detections_;
-  std::vector<char> free_detection_, supported_;
+  double gate_;           ///< Squared, in units of the innovation's covariance.
+  double gate_distance_;  ///< [m]
   PaperKalmanFilter filter_;
   PaperKalmanFilter::Choose choose_;
   std::int64_t utime_ = 0;

@@ -15,12 +15,12 @@ namespace {
 /// One row: a method, its reading, how many of how many scans, the clutter and the detection probability.
 struct Row {
   const char* method;
-  const char* variant;
-  int scans;
-  int window_scans;
-  int min_plots;  ///< 0: the method's own.
-  double clutter;
-  double detection_probability;
+  const char* variant = "";
+  int scans = 4;
+  int window_scans = 4;
+  int min_plots = 0;     ///< 0: the method's own.
+  double clutter = 120;  ///< Plots a scan; the sweep sets its own.
+  double detection_probability = 1.0;
 };
 
 Cell cell_of(const Row& row) {
@@ -90,6 +90,7 @@ Metrics measure(const Cell& cell, std::uint64_t seed, int run) {
   return metrics;
 }
 
+constexpr std::array kClutters{30.0, 60.0, 90.0, 120.0, 240.0};  // [Zeng2023] Fig. 10 to 12.
 constexpr double kSonarFalseAlarm = 0.1, kSonarMiss = 0.3;
 
 Cell sonar_cell(const char* scenario, const char* clutter) {
@@ -134,24 +135,25 @@ class AgFhtTable2 : public AgFhtExperiment {
            "on the sonar's scenes";
   }
   std::vector<Cell> cells() const override {
-    static constexpr Row kRows[] = {{"sequence_ht", "", 4, 4, 0, 120, 1.0},
-                                    {"sequence_ht", "", 12, 12, 0, 30, 1.0},
-                                    {"fpht", "", 4, 4, 0, 50, 1.0},
-                                    {"modified_logic", "polar", 4, 4, 0, 120, 1.0},
-                                    {"modified_logic", "isotropic", 4, 4, 0, 120, 1.0},
-                                    {"modified_ht", "", 3, 3, 0, 120, 1.0},
-                                    {"ag_fht", "text", 4, 4, 0, 120, 1.0},
-                                    {"ag_fht", "unstated_knowledge", 4, 4, 0, 120, 1.0},
-                                    {"vct", "", 4, 4, 4, 120, 1.0},
-                                    {"vct", "", 4, 4, 4, 240, 1.0},
-                                    {"vct", "", 3, 3, 3, 120, 1.0},
-                                    {"vct", "", 5, 5, 4, 120, 1.0},
-                                    {"vct", "", 6, 6, 5, 120, 1.0},
-                                    {"vct", "", 4, 4, 4, 120, 0.9},
-                                    {"vct", "", 5, 5, 4, 120, 0.9},
-                                    {"vct", "", 7, 5, 4, 120, 0.9},
-                                    {"ag_fht", "text", 4, 4, 0, 120, 0.9},
-                                    {"nht_plus", "", 4, 4, 0, 120, 1.0}};
+    static constexpr Row kRows[] = {
+        {.method = "sequence_ht"},
+        {.method = "sequence_ht", .scans = 12, .window_scans = 12, .clutter = 30},
+        {.method = "fpht", .clutter = 50},
+        {.method = "modified_logic", .variant = "polar"},
+        {.method = "modified_logic", .variant = "isotropic"},
+        {.method = "modified_ht", .scans = 3, .window_scans = 3},
+        {.method = "ag_fht", .variant = "text"},
+        {.method = "ag_fht", .variant = "unstated_knowledge"},
+        {.method = "vct", .min_plots = 4},
+        {.method = "vct", .min_plots = 4, .clutter = 240},
+        {.method = "vct", .scans = 3, .window_scans = 3, .min_plots = 3},
+        {.method = "vct", .scans = 5, .window_scans = 5, .min_plots = 4},
+        {.method = "vct", .scans = 6, .window_scans = 6, .min_plots = 5},
+        {.method = "vct", .min_plots = 4, .detection_probability = 0.9},
+        {.method = "vct", .scans = 5, .window_scans = 5, .min_plots = 4, .detection_probability = 0.9},
+        {.method = "vct", .scans = 7, .window_scans = 5, .min_plots = 4, .detection_probability = 0.9},
+        {.method = "ag_fht", .variant = "text", .detection_probability = 0.9},
+        {.method = "nht_plus"}};
     std::vector<Cell> cells;
     for (const Row& row : kRows) {
       cells.push_back(cell_of(row));
@@ -171,16 +173,16 @@ class AgFhtSweep : public AgFhtExperiment {
     return "P1, P2 and P3 against the clutter, 30 to 240 plots a scan ([Zeng2023] Fig. 10 to 12)";
   }
   std::vector<Cell> cells() const override {
-    static constexpr Row kRows[] = {{"ag_fht", "text", 4, 4, 0, 0, 1.0},
-                                    {"ag_fht", "unstated_knowledge", 4, 4, 0, 0, 1.0},
-                                    {"modified_logic", "polar", 4, 4, 0, 0, 1.0},
-                                    {"modified_ht", "", 3, 3, 0, 0, 1.0},
-                                    {"sequence_ht", "", 4, 4, 0, 0, 1.0},
-                                    {"fpht", "", 4, 4, 0, 0, 1.0},
-                                    {"vct", "", 4, 4, 4, 0, 1.0}};
+    static constexpr Row kRows[] = {{.method = "ag_fht", .variant = "text"},
+                                    {.method = "ag_fht", .variant = "unstated_knowledge"},
+                                    {.method = "modified_logic", .variant = "polar"},
+                                    {.method = "modified_ht", .scans = 3, .window_scans = 3},
+                                    {.method = "sequence_ht"},
+                                    {.method = "fpht"},
+                                    {.method = "vct", .min_plots = 4}};
     std::vector<Cell> cells;
     for (Row row : kRows) {
-      for (const double clutter : {30.0, 60.0, 90.0, 120.0, 240.0}) {
+      for (const double clutter : kClutters) {
         row.clutter = clutter;
         cells.push_back(cell_of(row));
         cells.back().paper = paper_figures("zeng2023_sweep.csv", cells.back());

@@ -1,0 +1,44 @@
+#include "tracking/baselines/detection_tracker.hpp"
+
+#include "core/field_of_view.hpp"
+#include "csht/scan_to_detections.hpp"
+#include "tracking/initiation/proposed_births.hpp"
+
+namespace lookout::tracking {
+
+DetectionTracker::DetectionTracker(const TrackLifeParams& life, const core::SonarParams& sonar,
+                                   std::unique_ptr<BirthMethod> births)
+    : book_(life), sonar_(sonar), births_(std::move(births)), confirm_hits_(life.confirm_hits) {}
+
+std::span<const core::Track> DetectionTracker::update(const core::PosedScan& scan,
+                                                      std::span<const core::MotionElement> /*elements*/) {
+  const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
+  csht::scan_to_detections(scan, 0, detections_);
+  free_detection_.assign(detections_.size(), 1);
+  supported_.assign(book_.tracks().size(), 0);
+  take(scan, sonar);
+  book_.step(scan, sonar, supported_);
+  begin(scan, sonar);
+  rate();
+  return book_.tracks();
+}
+
+void DetectionTracker::begin(const core::PosedScan& scan, const core::SonarParams& sonar) {
+  if (births_ != nullptr) {
+    begin_on_proposals(*births_, scan, sonar, book_);
+    return;
+  }
+  for (std::size_t j = 0; j < detections_.size(); ++j)
+    if (free_detection_[j]) begin_on(detections_[j], sonar);
+}
+
+// M-of-N knows no probability: confirmed counts as sure, tentative as the share of M, always below one half.
+void DetectionTracker::rate() {
+  const auto tracks = book_.tracks();
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const double share = 0.5 * book_.life(i).hits() / (confirm_hits_ + 1.0);
+    tracks[i].existence = tracks[i].status == core::TrackStatus::tentative ? share : 1.0;
+  }
+}
+
+}  // namespace lookout::tracking
