@@ -1,5 +1,3 @@
-#include <stdlib.h>
-
 #include <algorithm>
 #include <filesystem>
 #include <vector>
@@ -11,34 +9,13 @@
 #include "tools/cli/log_tables.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/scoring.hpp"
+#include "tools/cli/temporary_directory.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace lookout::tools {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A directory for what the drawing needs and nobody else, removed at its end.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "lookout_plot_").string();
-    name.append(6, 'X');  // Replaced by mkdtemp, which asks for these.
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be created");
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::string path() const { return path_.string(); }
-
- private:
-  fs::path path_;
-};
 
 void write_scores(const std::string& path, tracking::Scorer scorer,
                   const std::vector<core::GroundTruth>& truth, const std::vector<core::TrackList>& tracks) {
@@ -111,7 +88,7 @@ int plot_command(const Options& options) {
                            ": is not there; expected a directory of recordings or tracks, or an LCM log");
   if (is_directory) require_something_to_draw(input);
   const auto files = outputs(options, fs::path(input), is_directory);
-  const Scratch scratch;
+  const TemporaryDirectory scratch("lookout_plot_");
   const std::string directory = is_directory ? input : scratch.path();
   if (!is_directory) write_log_tables(input, options.channel_prefix, directory);
   score(directory, options, scratch.file("scores.csv"));

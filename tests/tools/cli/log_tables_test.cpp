@@ -9,30 +9,20 @@
 #include "core/files/recording.hpp"
 #include "core/input_error.hpp"
 #include "tests/lcmtypes/example_messages.hpp"
+#include "tests/support/log_message.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace lookout::tools {
 namespace {
-
-template <class Wire>
-void log(lcm::LogFile& file, const std::string& channel, const Wire& wire) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(wire.getEncodedSize()));
-  wire.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  lcm::LogEvent event{};
-  event.channel = channel;
-  event.datalen = static_cast<int>(bytes.size());
-  event.data = bytes.data();
-  file.writeEvent(&event);
-}
 
 TEST(LogTables, AreTheRecordingAndTheTracksWithTheirCovariance) {
   const tests::TemporaryDirectory directory;
   {
     lcm::LogFile file(directory.file("log"), "w");
     const core::Track track = tests::example_track(7);
-    log(file, "VEHICLE_STATE", lcmtypes::to_wire(tests::example_state()));
-    log(file, "SONAR_SCAN", lcmtypes::to_wire(tests::example_scan()));
-    log(file, "TRACKS", lcmtypes::to_wire({2'000'000, 4, 0}, std::span(&track, 1)).message);
+    tests::log_message(file, "VEHICLE_STATE", lcmtypes::to_wire(tests::example_state()));
+    tests::log_message(file, "SONAR_SCAN", lcmtypes::to_wire(tests::example_scan()));
+    tests::log_message(file, "TRACKS", lcmtypes::to_wire({2'000'000, 4, 0}, std::span(&track, 1)).message);
   }
   write_log_tables(directory.file("log"), "", directory.path());
   EXPECT_EQ(core::read_recording(directory.path()).scans.at(0).returns.size(), 2u);

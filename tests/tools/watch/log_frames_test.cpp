@@ -6,23 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/input_error.hpp"
+#include "tests/support/log_message.hpp"
 #include "tests/support/reading.hpp"
 #include "tests/support/temporary_directory.hpp"
 #include "tests/tools/watch/watch_examples.hpp"
 
 namespace lookout::tools {
 namespace {
-
-template <class Wire>
-void log(lcm::LogFile& file, const std::string& channel, const Wire& wire) {
-  std::vector<std::uint8_t> bytes(static_cast<std::size_t>(wire.getEncodedSize()));
-  wire.encode(bytes.data(), 0, static_cast<int>(bytes.size()));
-  lcm::LogEvent event{};
-  event.channel = channel;
-  event.datalen = static_cast<int>(bytes.size());
-  event.data = bytes.data();
-  file.writeEvent(&event);
-}
 
 /// Scans half a second apart with states on both sides and a track that goes north a metre each.
 std::string write_log(const std::string& path, int scans, bool with_tracks) {
@@ -33,12 +23,13 @@ std::string write_log(const std::string& path, int scans, bool with_tracks) {
     scan.sequence = k;
     core::Track track = tests::example_track(7);
     track.state[0] = k;
-    log(file, "VEHICLE_STATE",
-        lcmtypes::to_wire(core::VehicleState{scan.utime - 10'000, {1.0, 2.0, 0.0}, {0, 0}}));
-    log(file, "SONAR_SCAN", lcmtypes::to_wire(scan));
-    log(file, "VEHICLE_STATE",
-        lcmtypes::to_wire(core::VehicleState{scan.utime + 10'000, {1.0, 2.0, 0.0}, {0, 0}}));
-    if (with_tracks) log(file, "TRACKS", lcmtypes::to_wire({scan.utime, k, 0}, std::span(&track, 1)).message);
+    tests::log_message(file, "VEHICLE_STATE",
+                       lcmtypes::to_wire(core::VehicleState{scan.utime - 10'000, {1.0, 2.0, 0.0}, {0, 0}}));
+    tests::log_message(file, "SONAR_SCAN", lcmtypes::to_wire(scan));
+    tests::log_message(file, "VEHICLE_STATE",
+                       lcmtypes::to_wire(core::VehicleState{scan.utime + 10'000, {1.0, 2.0, 0.0}, {0, 0}}));
+    if (with_tracks)
+      tests::log_message(file, "TRACKS", lcmtypes::to_wire({scan.utime, k, 0}, std::span(&track, 1)).message);
   }
   return path;
 }

@@ -1,0 +1,65 @@
+#include "tools/cli/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/input_error.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace lookout::tools {
+namespace {
+
+const std::string kHeader = "time_s,id,north_m,east_m\n";
+
+class ComparisonTest : public ::testing::Test {
+ protected:
+  /// Of a target and a track that is 3 m beside it, at the times of either file.
+  ComparisonTest() {
+    options_.inputs = {directory_.write("truth.csv", kHeader + "0,1,0,0\n1,1,0,0\n2,1,0,0\n"),
+                       directory_.write("tracks.csv", kHeader + "0,7,3,0\n1,7,3,0\n")};
+  }
+
+  std::vector<std::int64_t> times() const {
+    std::vector<std::int64_t> result;
+    const Comparison comparison(options_);
+    for (const auto& time : comparison.times()) result.push_back(time.truth.utime);
+    return result;
+  }
+
+  tests::TemporaryDirectory directory_;
+  Options options_;
+};
+
+using Times = std::vector<std::int64_t>;
+
+TEST_F(ComparisonTest, TakesTheTimesOfEitherFile) {
+  EXPECT_EQ(times(), (Times{0, 1'000'000, 2'000'000}));
+  const Comparison comparison(options_);
+  EXPECT_EQ(comparison.times()[1].tracks[0].id, 7);
+  EXPECT_TRUE(comparison.times()[2].tracks.empty());
+}
+
+TEST_F(ComparisonTest, TakesTheTimesThatAreAskedFor) {
+  options_.times = directory_.write("asked.csv", "time_s\n1\n");
+  EXPECT_EQ(times(), (Times{1'000'000}));
+}
+
+TEST_F(ComparisonTest, TakesTheScansOfTheRecordingThatTheTruthLiesIn) {
+  directory_.write("scans.csv", "time_s,bearing_rad,range_m\n0,,\n1,,\n");
+  EXPECT_EQ(times(), (Times{0, 1'000'000}));
+  directory_.write("scans.csv",
+                   "time_s,bearing_rad,range_m\n0,,\n");  // The estimates are of other scans too.
+  EXPECT_EQ(times().size(), 3U);
+}
+
+TEST_F(ComparisonTest, RefusesWhatCannotBeCompared) {
+  options_.time_tolerance = -1.0;
+  EXPECT_THROW(times(), core::InputError);
+  options_.time_tolerance.reset();
+  std::string rows = kHeader;
+  for (int id = 0; id <= 1000; ++id) rows.append("0,").append(std::to_string(id)).append(",0,0\n");
+  options_.inputs[1] = directory_.write("crowd.csv", rows);
+  EXPECT_THROW(times(), core::InputError);
+}
+
+}  // namespace
+}  // namespace lookout::tools
