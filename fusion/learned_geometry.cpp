@@ -57,8 +57,8 @@ std::span<const FusedState> LearnedGeometry::fuse(std::span<const TrackGroup> gr
   const Update& update = window_[newest_];
   std::size_t begin = 0;
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    const std::span<const Sample> samples(update.samples.data() + begin, update.ends[g] - begin);
-    fused_.push_back(fuse_group(groups[g], samples));
+    const std::span<const View> views(update.views.data() + begin, update.ends[g] - begin);
+    fused_.push_back(fuse_group(groups[g], views));
     begin = update.ends[g];
   }
   return fused_;
@@ -72,8 +72,7 @@ std::size_t LearnedGeometry::index_of(std::int32_t node_id) {
   return entry->second;
 }
 
-LearnedGeometry::Sample LearnedGeometry::sample_of(const TrackGroup& group,
-                                                   const Contribution& contribution) {
+LearnedGeometry::View LearnedGeometry::view_of(const TrackGroup& group, const Contribution& contribution) {
   const LocalEstimate& estimate = contribution.track->newest();
   const Eigen::Vector2d sight = contribution.current.head<2>() - estimate.p_earth_node;
   const double range = sight.norm();
@@ -87,36 +86,36 @@ LearnedGeometry::Sample LearnedGeometry::sample_of(const TrackGroup& group,
 void LearnedGeometry::remember(std::span<const TrackGroup> groups) {
   newest_ = (newest_ + 1) % window_.size();
   Update& update = window_[newest_];
-  update.samples.clear();
+  update.views.clear();
   update.ends.clear();
   for (const TrackGroup& group : groups) {
     for (const Contribution& contribution : group.contributions)
-      update.samples.push_back(sample_of(group, contribution));
-    update.ends.push_back(update.samples.size());
+      update.views.push_back(view_of(group, contribution));
+    update.ends.push_back(update.views.size());
   }
 }
 
-Eigen::Matrix2d LearnedGeometry::information(const Sample& sample) const {
+Eigen::Matrix2d LearnedGeometry::information(const View& view) const {
   // I = u u'/s_r + v v'/(s_b r^2) = 1/across + (1/along - 1/across) u u'.
-  const NodeQuality& quality = quality_[sample.node];
-  const double along = 1.0 / (quality.range_variance + sample.aging);
-  const double across = 1.0 / (quality.bearing_variance * sample.squared_range + sample.aging);
-  const Eigen::Vector2d& u = sample.line_of_sight;
+  const NodeQuality& quality = quality_[view.node];
+  const double along = 1.0 / (quality.range_variance + view.aging);
+  const double across = 1.0 / (quality.bearing_variance * view.squared_range + view.aging);
+  const Eigen::Vector2d& u = view.line_of_sight;
   Eigen::Matrix2d result = (along - across) * u * u.transpose();
   result(0, 0) += across;
   result(1, 1) += across;
   return result;
 }
 
-LearnedGeometry::Fix LearnedGeometry::fix(std::span<const Sample> samples) const {
+LearnedGeometry::Fix LearnedGeometry::fix(std::span<const View> views) const {
   // Relative to one of them, so that the regularisation pulls to the target and not to the earth's origin.
-  const Eigen::Vector2d anchor = samples.front().position;
+  const Eigen::Vector2d anchor = views.front().position;
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
-  for (const Sample& sample : samples) {
-    const Eigen::Matrix2d own = information(sample);
+  for (const View& view : views) {
+    const Eigen::Matrix2d own = information(view);
     sum += own;
-    weighted += own * (sample.position - anchor);
+    weighted += own * (view.position - anchor);
   }
   sum += kRegularisation * sum.trace() * Eigen::Matrix2d::Identity();
   const Eigen::Matrix2d covariance = sum.inverse();
@@ -129,26 +128,26 @@ void LearnedGeometry::iterate() {
     std::size_t begin = 0;
     for (std::size_t end : update.ends) {
       // A target that one node alone sees says nothing of that node's error.
-      if (end - begin >= 2) add_residuals({update.samples.data() + begin, end - begin});
+      if (end - begin >= 2) add_residuals({update.views.data() + begin, end - begin});
       begin = end;
     }
   }
   maximise();
 }
 
-void LearnedGeometry::add_residuals(std::span<const Sample> samples) {
-  const Fix fused = fix(samples);
-  for (const Sample& sample : samples) {
-    const Eigen::Vector2d& u = sample.line_of_sight;
+void LearnedGeometry::add_residuals(std::span<const View> views) {
+  const Fix fused = fix(views);
+  for (const View& view : views) {
+    const Eigen::Vector2d& u = view.line_of_sight;
     const Eigen::Vector2d v(-u.y(), u.x());
-    const Eigen::Vector2d residual = sample.position - fused.position;
+    const Eigen::Vector2d residual = view.position - fused.position;
     const double along = u.dot(residual), across = v.dot(residual);
-    Moments& moments = moments_[sample.node];
-    const NodeQuality& quality = quality_[sample.node];
-    const double range_squared = sample.squared_range;
+    Moments& moments = moments_[view.node];
+    const NodeQuality& quality = quality_[view.node];
+    const double range_squared = view.squared_range;
     moments.along +=
-        own_share(quality.range_variance, sample.aging, along * along + u.dot(fused.covariance * u));
-    moments.across += own_share(quality.bearing_variance * range_squared, sample.aging,
+        own_share(quality.range_variance, view.aging, along * along + u.dot(fused.covariance * u));
+    moments.across += own_share(quality.bearing_variance * range_squared, view.aging,
                                 across * across + v.dot(fused.covariance * v)) /
                       range_squared;
     moments.count += 1.0;
@@ -181,12 +180,12 @@ void LearnedGeometry::maximise() {
   }
 }
 
-FusedState LearnedGeometry::fuse_group(const TrackGroup& group, std::span<const Sample> samples) const {
-  const Fix fused = fix(samples);
+FusedState LearnedGeometry::fuse_group(const TrackGroup& group, std::span<const View> views) const {
+  const Fix fused = fix(views);
   const Eigen::Vector2d anchor = group.contributions.front().current.tail<2>();
   Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    weighted += information(samples[i]) * (group.contributions[i].current.tail<2>() - anchor);
+  for (std::size_t i = 0; i < views.size(); ++i)
+    weighted += information(views[i]) * (group.contributions[i].current.tail<2>() - anchor);
   FusedState result;
   result.state << fused.position, anchor + fused.covariance * weighted;
   result.covariance.topLeftCorner<2, 2>() = fused.covariance;

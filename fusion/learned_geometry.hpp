@@ -45,38 +45,38 @@ class LearnedGeometry final : public FusionMethod {
 
  private:
   /// One estimate as the learner sees it.
-  struct Sample {
+  struct View {
     Eigen::Vector2d position;       ///< [m].
     Eigen::Vector2d line_of_sight;  ///< Unit vector from the sensor.
     double squared_range;           ///< [m^2].
     double aging;                   ///< Variance that its age adds [m^2].
     std::size_t node;               ///< Index into `quality_`.
   };
-  /// The samples of one time; those of one target lie together and `ends` says where each target's end.
+  /// The views of one time; those of one target lie together and `ends` says where each target's end.
   struct Update {
-    std::vector<Sample> samples;
+    std::vector<View> views;
     std::vector<std::size_t> ends;
   };
-  /// Sums over a node's samples of what its variances must explain.
+  /// Sums over a node's views of what its variances must explain.
   struct Moments {
     double along = 0.0, across = 0.0, count = 0.0;
   };
-  /// Position and its covariance from the samples of one target.
+  /// Position and its covariance from the views of one target.
   struct Fix {
     Eigen::Vector2d position;
     Eigen::Matrix2d covariance;
   };
 
   std::size_t index_of(std::int32_t node_id);
-  Sample sample_of(const TrackGroup& group, const Contribution& contribution);
+  View view_of(const TrackGroup& group, const Contribution& contribution);
   void remember(std::span<const TrackGroup> groups);
-  Eigen::Matrix2d information(const Sample& sample) const;
-  Fix fix(std::span<const Sample> samples) const;
+  Eigen::Matrix2d information(const View& view) const;
+  Fix fix(std::span<const View> views) const;
   void iterate();
-  void add_residuals(std::span<const Sample> samples);
+  void add_residuals(std::span<const View> views);
   void maximise();
   double median_of(double Moments::*part);
-  FusedState fuse_group(const TrackGroup& group, std::span<const Sample> samples) const;
+  FusedState fuse_group(const TrackGroup& group, std::span<const View> views) const;
 
   LearnedGeometryParams params_;
   NodeQuality least_;

@@ -44,7 +44,7 @@ struct BeamReturn {
   /// Index of the beam.
   int beam = 0;
   /// Range, bearing and intensity, as reported.
-  core::SonarReturn echo;
+  core::SonarReturn measured;
   /// What made it.
   Source source = Source::background;
   int thing = 0;  ///< Echoes of one thing share it: target >= 0, standing thing < 0.

@@ -12,7 +12,7 @@ double rank(const BeamReturn& heard, Keep keep) {
     case Keep::precedence:
       return static_cast<double>(heard.source);
     case Keep::strongest:
-      return -heard.echo.intensity;
+      return -heard.measured.intensity;
     case Keep::nearest:
       break;
   }
@@ -23,7 +23,7 @@ double rank(const BeamReturn& heard, Keep keep) {
 
 std::vector<BeamReturn> select_returns(std::vector<BeamReturn> heard, int returns_per_beam, Keep keep) {
   const auto key = [keep](const BeamReturn& one) {
-    return std::make_tuple(one.beam, rank(one, keep), one.echo.range);
+    return std::make_tuple(one.beam, rank(one, keep), one.measured.range);
   };
   std::sort(heard.begin(), heard.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   std::vector<BeamReturn> kept;
@@ -38,7 +38,7 @@ std::vector<BeamReturn> select_returns(std::vector<BeamReturn> heard, int return
 
 std::vector<core::SonarReturn> in_order(const std::vector<BeamReturn>& heard) {
   std::vector<core::SonarReturn> returns;
-  for (const auto& one : heard) returns.push_back(one.echo);
+  for (const auto& one : heard) returns.push_back(one.measured);
   std::sort(returns.begin(), returns.end(), [](const auto& a, const auto& b) {
     return std::tie(a.bearing, a.range) < std::tie(b.bearing, b.range);
   });

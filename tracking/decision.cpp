@@ -16,8 +16,8 @@ const char* to_string(DecisionKind kind) {
       return "resume";
     case DecisionKind::manoeuvre:
       return "manoeuvre";
-    case DecisionKind::straighten:
-      return "straighten";
+    case DecisionKind::steady:
+      return "steady";
     case DecisionKind::merge:
       return "merge";
     case DecisionKind::end:

@@ -6,8 +6,8 @@
 namespace lookout::tracking {
 
 /// What a tracker may decide about a track: `withdraw` takes a confirmation back, `coast` and `resume` follow
-/// it out of the field of view and back, `straighten` ends a manoeuvre, `merge` ends one of two twins.
-enum class DecisionKind { begin, confirm, withdraw, coast, resume, manoeuvre, straighten, merge, end };
+/// it out of the field of view and back, `steady` ends a manoeuvre, `merge` ends one of two twins.
+enum class DecisionKind { begin, confirm, withdraw, coast, resume, manoeuvre, steady, merge, end };
 
 /// "begin", "confirm", ...
 const char* to_string(DecisionKind kind);

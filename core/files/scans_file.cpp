@@ -44,9 +44,9 @@ class Reader {
     const bool blank = table_.empty(row, bearing_.name) && table_.empty(row, "range_m");
     stamps_.add(row, scan.utime, blank, read_.scans.size() != before);
     if (blank) return;
-    const SonarReturn echo{bearing_.unit * table_.number_or_nan(row, bearing_.name),
-                           table_.number_or_nan(row, "range_m"), number_or(table_, row, "intensity", 1.0)};
-    if (returns_.is_echo(row, echo)) scan.returns.push_back(echo);
+    const SonarReturn one{bearing_.unit * table_.number_or_nan(row, bearing_.name),
+                          table_.number_or_nan(row, "range_m"), number_or(table_, row, "intensity", 1.0)};
+    if (returns_.is_return(row, one)) scan.returns.push_back(one);
   }
 
   /// The scan that a row belongs to: the last one of its time and sensor, or a new one.
@@ -122,8 +122,8 @@ void write_scans(const std::string& path, const std::vector<SonarScan>& scans,
   for (std::size_t i = 0; i < scans.size(); ++i) {
     const SonarScan& scan = scans[i];
     if (scan.returns.empty()) further.end_row(csv.time(scan.utime).blank().blank().blank(), scan, clocks[i]);
-    for (const auto& echo : scan.returns) {
-      csv.time(scan.utime).number(echo.bearing).number(echo.range).number(echo.intensity);
+    for (const auto& one : scan.returns) {
+      csv.time(scan.utime).number(one.bearing).number(one.range).number(one.intensity);
       further.end_row(csv, scan, clocks[i]);
     }
   }

@@ -69,9 +69,9 @@ void ScanStamps::finish(std::vector<std::string>& notes) const {
                     kCure);
 }
 
-bool ReturnChecks::is_echo(std::size_t row, const SonarReturn& echo) {
-  if (std::isnan(echo.bearing) || std::isnan(echo.range)) return silences_.add(row), false;
-  if (std::abs(echo.bearing) > 2.0 * std::numbers::pi) beyond_a_turn_.add(row);
+bool ReturnChecks::is_return(std::size_t row, const SonarReturn& one) {
+  if (std::isnan(one.bearing) || std::isnan(one.range)) return silences_.add(row), false;
+  if (std::abs(one.bearing) > 2.0 * std::numbers::pi) beyond_a_turn_.add(row);
   return true;
 }
 

@@ -50,7 +50,7 @@ class ReturnChecks {
       : table_(table), bearing_column_(bearing_column) {}
 
   /// False for a bearing or range that is no finite number: a silent beam.
-  bool is_echo(std::size_t row, const SonarReturn& echo);
+  bool is_return(std::size_t row, const SonarReturn& one);
   void finish(std::vector<std::string>& notes) const;  ///< Adds a line a kind of oddity to `notes`.
 
  private:

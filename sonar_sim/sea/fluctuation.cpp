@@ -76,7 +76,7 @@ void Fluctuation::mark(std::vector<BeamReturn>& heard, core::Random& random) con
     if (is_echo(one) && shared) survival = draws.try_emplace(one.thing, survival).first->second;
     const double mean_power = from_db(one.snr_db.value_or(plan_.snr_db) - one.loss_db);
     const double power = is_echo(one) ? echo_power(mean_power, survival) : clutter_power(survival);
-    one.echo.intensity = std::sqrt(power);
+    one.measured.intensity = std::sqrt(power);
   }
 }
 

@@ -34,10 +34,10 @@ std::optional<BeamReturn> repeat(const Spill& spill, const Ping& ping, const Bea
   heard.beam = *beam;
   heard.source = Source::spill;
   heard.loss_db = index < spill.loss_db.size() ? spill.loss_db[index] : 0.0;
-  const double bearing = first.echo.bearing + offset * ping.params.bearing_step;
-  heard.echo.bearing = ping.reported_bearing(*beam, core::wrap_to_pi(bearing));
-  heard.echo.range += random.gaussian(spill.range_sigma);
-  return ping.in_range(heard.echo.range) ? std::optional(heard) : std::nullopt;
+  const double bearing = first.measured.bearing + offset * ping.params.bearing_step;
+  heard.measured.bearing = ping.reported_bearing(*beam, core::wrap_to_pi(bearing));
+  heard.measured.range += random.gaussian(spill.range_sigma);
+  return ping.in_range(heard.measured.range) ? std::optional(heard) : std::nullopt;
 }
 
 }  // namespace

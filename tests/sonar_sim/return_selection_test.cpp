@@ -16,7 +16,7 @@ const std::vector<BeamReturn> kHeard{
 
 double first_of_beam_3(int returns_per_beam, Keep keep) {
   for (const auto& one : select_returns(kHeard, returns_per_beam, keep))
-    if (one.beam == 3) return one.echo.range;
+    if (one.beam == 3) return one.measured.range;
   return 0.0;
 }
 

@@ -41,8 +41,7 @@ TEST(SimulatedSonar, NearestHidesWhatLiesBehind) {
       "{standing: {lines: [{from: [30, -9], to: [30, 9], probability: 1, range_sigma: 0}]}}";
   EXPECT_NEAR(scans_of(scene_with(kQuiet, wall))[0].returns[17].range, 60.0, 0.01);
   const auto nearest = scans_of(scene_with(kQuiet + ", keep: nearest", wall));
-  for (const auto& echo : nearest[0].returns)
-    EXPECT_NEAR(echo.range * std::cos(echo.bearing), 30.0, 0.01);
+  for (const auto& one : nearest[0].returns) EXPECT_NEAR(one.range * std::cos(one.bearing), 30.0, 0.01);
 }
 
 TEST(SimulatedSonar, ReportsSeveralReturnsABeam) {
@@ -67,7 +66,7 @@ TEST(SimulatedSonar, ARangeSettingHoldsFromItsTime) {
   for (const auto& scan : scans_of(scene_with("false_alarm_probability: 1" + settings))) {
     const double time = core::seconds(scan.utime);
     EXPECT_EQ(scan.max_range, time < 10.0 ? 150.0 : time < 20.0 ? 50.0 : 80.0);
-    for (const auto& echo : scan.returns) ASSERT_LE(echo.range, scan.max_range);
+    for (const auto& one : scan.returns) ASSERT_LE(one.range, scan.max_range);
   }
 }
 
@@ -83,9 +82,9 @@ TEST(SimulatedSonar, EmptyAndLostScans) {
 TEST(SimulatedSonar, EveryReturnOfAFluctuatingSeaHasAnIntensityOfItsOwn) {
   const auto scans =
       scans_of(scene_with("false_alarm_probability: 0.3", "{fluctuation: {threshold: 1}, bottom: {}}"));
-  for (const auto& echo : scans[0].returns) {
-    EXPECT_GE(echo.intensity, 1.0 - 1e-12);
-    EXPECT_NE(echo.intensity, 1.0);
+  for (const auto& one : scans[0].returns) {
+    EXPECT_GE(one.intensity, 1.0 - 1e-12);
+    EXPECT_NE(one.intensity, 1.0);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -175,11 +176,13 @@ std::vector<double> largest_of_blocks(const core::SonarImage& image, int beams, 
 }
 
 std::vector<std::uint8_t> as_bytes(const std::vector<double>& values) {
-  const double largest = std::max(1e-12, *std::max_element(values.begin(), values.end()));
+  constexpr double kLeastLargest = 1e-12;  // An image without any intensity is black.
+  constexpr double kLargestByte = std::numeric_limits<std::uint8_t>::max();
+  const double largest = std::max(kLeastLargest, *std::max_element(values.begin(), values.end()));
   std::vector<std::uint8_t> bytes;
   bytes.reserve(values.size());
   for (const double value : values)
-    bytes.push_back(static_cast<std::uint8_t>(std::clamp(value / largest, 0.0, 1.0) * 255.0));
+    bytes.push_back(static_cast<std::uint8_t>(std::clamp(value / largest, 0.0, 1.0) * kLargestByte));
   return bytes;
 }
 
@@ -212,9 +215,9 @@ json to_json(const Placed<core::SonarScan>& scan) {
   json out = head_of(scan);
   out["max_range"] = rounded(scan.ping.max_range);
   json returns = json::array();
-  for (const auto& echo : scan.ping.returns) {
-    returns.push_back(rounded_angle(echo.bearing));
-    returns.push_back(rounded(echo.range));
+  for (const auto& one : scan.ping.returns) {
+    returns.push_back(rounded_angle(one.bearing));
+    returns.push_back(rounded(one.range));
   }
   out["returns"] = std::move(returns);  // Bearing, range, bearing, range, ...
   return out;

@@ -51,21 +51,20 @@ bool same_sector(const Ping& ping, const Other& other) {
          same(ping.T_body_sonar.heading, other.T_body_sonar.heading);
 }
 
-bool is_silent(const core::SonarReturn& echo) {
-  return !std::isfinite(echo.range) || !std::isfinite(echo.bearing) || !std::isfinite(echo.intensity) ||
-         echo.range == 0.0;
+bool is_silent(const core::SonarReturn& one) {
+  return !std::isfinite(one.range) || !std::isfinite(one.bearing) || !std::isfinite(one.intensity) ||
+         one.range == 0.0;
 }
 
 /// Turns the bearing of a return into the sector's own turn; false where the return lies outside sector or
 /// range.
-bool bring_into_sector(const core::SonarScan& scan, core::SonarReturn& echo) {
-  if (!positive_below(echo.range, scan.max_range) || !within(echo.bearing, PingLimits::kMaxAngle))
-    return false;
+bool bring_into_sector(const core::SonarScan& scan, core::SonarReturn& one) {
+  if (!positive_below(one.range, scan.max_range) || !within(one.bearing, PingLimits::kMaxAngle)) return false;
   const double middle = scan.first_bearing + 0.5 * (scan.num_beams - 1) * scan.bearing_step;
-  const double offset = echo.bearing - middle;
+  const double offset = one.bearing - middle;
   // Left as it came where it is near already: the same bits in every way that a scan can take.
-  if (!within(offset, std::numbers::pi)) echo.bearing = middle + std::remainder(offset, kFullTurn);
-  const long beam = std::lround((echo.bearing - scan.first_bearing) / scan.bearing_step);
+  if (!within(offset, std::numbers::pi)) one.bearing = middle + std::remainder(offset, kFullTurn);
+  const long beam = std::lround((one.bearing - scan.first_bearing) / scan.bearing_step);
   return beam >= 0 && beam < scan.num_beams;
 }
 
@@ -105,13 +104,13 @@ std::string_view defect(const core::VehicleState& state) {
 DroppedReturns drop_returns(core::SonarScan& scan) {
   DroppedReturns dropped;
   std::size_t kept = 0;
-  for (core::SonarReturn& echo : scan.returns) {
-    if (is_silent(echo))
+  for (core::SonarReturn& one : scan.returns) {
+    if (is_silent(one))
       ++dropped.silent;
-    else if (!bring_into_sector(scan, echo))
+    else if (!bring_into_sector(scan, one))
       ++dropped.out_of_bounds;
     else
-      scan.returns[kept++] = echo;
+      scan.returns[kept++] = one;
   }
   scan.returns.resize(kept);
   return dropped;

@@ -148,7 +148,7 @@ void ScanUpdate::tell_change(const MotionChange::Judgement& judgement, const csh
                              const TrackerState& state) const {
   const csht::Motion motion = track.cloud.motion;
   state.decide(track,
-               motion == csht::Motion::constant_velocity ? DecisionKind::straighten : DecisionKind::manoeuvre,
+               motion == csht::Motion::constant_velocity ? DecisionKind::steady : DecisionKind::manoeuvre,
                judgement.evidence,
                motion == csht::Motion::constant_velocity ? "a straight line explains the scans as well"
                : motion == csht::Motion::constant_turn   ? "a turn explains the scans better"

@@ -22,7 +22,7 @@ TEST(Bottom, EachBeamReturnsWithItsProbabilityAndNoise) {
   constexpr int kScans = 1000;
   for (int k = 0; k < kScans; ++k)
     for (const auto& one : draw_bottom(bottom, ping, random)) {
-      squares += std::pow(one.echo.range - bottom_range(bottom, one.beam, 90), 2);
+      squares += std::pow(one.measured.range - bottom_range(bottom, one.beam, 90), 2);
       ++number;
     }
   EXPECT_NEAR(number / (kScans * 90.0), 0.6, rate_tolerance(0.6, kScans * 90.0));

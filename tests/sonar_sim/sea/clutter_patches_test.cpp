@@ -37,8 +37,8 @@ TEST(ClutterPatches, BeamsOfASonarPatchReturnUniformRanges) {
   for (int k = 0; k < kPings / 10; ++k)
     for (const auto& one : draw_patch(patch, ping, random)) {
       beams.insert(one.beam);
-      ASSERT_TRUE(one.echo.range >= 60.0 && one.echo.range < 90.0);
-      sum += one.echo.range;
+      ASSERT_TRUE(one.measured.range >= 60.0 && one.measured.range < 90.0);
+      sum += one.measured.range;
       ++number;
     }
   EXPECT_EQ(beams.size(), 20u);  // beams 50 to 69
@@ -73,7 +73,7 @@ TEST(ClutterPatches, ADiscLiesStillOnTheEarth) {
     patch.mean_returns = by_number ? std::optional(50.0) : std::nullopt;
     for (const auto& one : draw_patch(patch, ping, random)) {
       const auto p_earth =
-          core::transform(ping.T_earth_sonar, core::from_polar(one.echo.range, one.echo.bearing));
+          core::transform(ping.T_earth_sonar, core::from_polar(one.measured.range, one.measured.bearing));
       // A return stands at its beam's centre: half a degree at 95 m is .8 m.
       EXPECT_LT((p_earth - patch.centre).norm(), 20.0 + 0.9);
     }
@@ -89,7 +89,9 @@ TEST(ClutterPatches, ADiscIsFilledUniformly) {
   double number = 0.0, inner = 0.0;
   for (int k = 0; k < 2000; ++k)
     for (const auto& one : draw_patch(patch, ping, random)) {
-      inner += (core::from_polar(one.echo.range, one.echo.bearing) - patch.centre).norm() < 10.0 ? 1.0 : 0.0;
+      inner += (core::from_polar(one.measured.range, one.measured.bearing) - patch.centre).norm() < 10.0
+                   ? 1.0
+                   : 0.0;
       ++number;
     }
   EXPECT_NEAR(inner / number, 0.25, rate_tolerance(0.25, number));  // half the radius, a quarter of the area

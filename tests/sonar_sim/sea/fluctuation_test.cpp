@@ -17,7 +17,7 @@ std::vector<double> powers_of(const FluctuationPlan& plan, Source source) {
   for (int k = 0; k < kPings; ++k) {
     std::vector<BeamReturn> heard{{45, {0.0, 60.0, 1.0}, source}};
     fluctuation.mark(heard, random);
-    powers.push_back(heard[0].echo.intensity * heard[0].echo.intensity);
+    powers.push_back(heard[0].measured.intensity * heard[0].measured.intensity);
   }
   return powers;
 }
@@ -81,9 +81,9 @@ TEST(Fluctuation, OddCasesShareOneDrawAmongTheEchoesOfAThing) {
                                   {47, {0.0, 60.0, 1.0}, Source::target, 1}};
     heard[1].loss_db = 20.0;  // a tenth of the amplitude
     Fluctuation({swerling, 10.0, 1.5, 0.0}).mark(heard, random);
-    const bool shared = std::abs(heard[1].echo.intensity - 0.1 * heard[0].echo.intensity) < 1e-9;
+    const bool shared = std::abs(heard[1].measured.intensity - 0.1 * heard[0].measured.intensity) < 1e-9;
     EXPECT_EQ(shared, swerling % 2 == 1) << swerling;
-    EXPECT_NE(heard[2].echo.intensity, heard[0].echo.intensity);
+    EXPECT_NE(heard[2].measured.intensity, heard[0].measured.intensity);
   }
 }
 

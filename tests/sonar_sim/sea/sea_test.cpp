@@ -28,7 +28,7 @@ TEST(Sea, ByDefaultAddsNothing) {
   sea.add_returns(ping, heard);
   sea.mark(heard);
   ASSERT_EQ(heard.size(), 1u);
-  EXPECT_EQ(heard[0].echo.intensity, 1.0);
+  EXPECT_EQ(heard[0].measured.intensity, 1.0);
   EXPECT_EQ(sea.draw_fate(), ScanFate::whole);
 }
 
@@ -54,7 +54,7 @@ TEST(Sea, SwitchingOnePartOnLeavesTheDrawsOfTheOthers) {
     first.add_returns(ping, a);
     second.add_returns(ping, b);
     ASSERT_EQ(count_of(a, Source::clutter), count_of(b, Source::clutter));
-    EXPECT_EQ(a.back().echo.range, b.back().echo.range);
+    EXPECT_EQ(a.back().measured.range, b.back().measured.range);
   }
 }
 
@@ -70,8 +70,8 @@ TEST(Sea, AFieldStandsWhereItStandsForEverySonarOfARun) {
   ASSERT_EQ(a.size(), 5u);
   ASSERT_EQ(b.size(), 5u);
   ASSERT_EQ(c.size(), 5u);
-  EXPECT_EQ(a[0].echo.range, b[0].echo.range);
-  EXPECT_NE(a[0].echo.range, c[0].echo.range);
+  EXPECT_EQ(a[0].measured.range, b[0].measured.range);
+  EXPECT_NE(a[0].measured.range, c[0].measured.range);
 }
 
 }  // namespace

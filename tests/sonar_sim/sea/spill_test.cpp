@@ -29,9 +29,9 @@ TEST(Spill, RangesScatterAboutTheEchoAndBearingsAreTheBeams) {
   double sum = 0.0, squares = 0.0, number = 0.0;
   for (int k = 0; k < kPings; ++k)
     for (const auto& one : draw_spill(kSpill, ping, {echo_in(ping, 45, 60.0)}, random)) {
-      ASSERT_DOUBLE_EQ(one.echo.bearing, ping.fan.centre(one.beam));
-      sum += one.echo.range - 60.0;
-      squares += (one.echo.range - 60.0) * (one.echo.range - 60.0);
+      ASSERT_DOUBLE_EQ(one.measured.bearing, ping.fan.centre(one.beam));
+      sum += one.measured.range - 60.0;
+      squares += (one.measured.range - 60.0) * (one.measured.range - 60.0);
       ++number;
     }
   EXPECT_NEAR(sum / number, 0.0, mean_tolerance(1.0, number));

@@ -22,7 +22,7 @@ TEST(StandingThings, APointIsHeardInItsBeamWithTheSonarsNoise) {
       ASSERT_EQ(one.beam, 45);
       ASSERT_EQ(one.source, Source::standing);
       ASSERT_EQ(one.snr_db, 20.0);
-      squares += std::pow(one.echo.range - std::hypot(60.0, 0.5), 2);
+      squares += std::pow(one.measured.range - std::hypot(60.0, 0.5), 2);
       ++number;
     }
   EXPECT_NEAR(number / kPings, 0.7, rate_tolerance(0.7, kPings));
@@ -56,7 +56,7 @@ TEST(StandingThings, AWallIsHeardInEachBeamThatMeetsIt) {
   double number = 0.0;
   for (int k = 0; k < kPings / 20; ++k)
     for (const auto& one : draw_standing(plan, ping, random)) {
-      ASSERT_NEAR(one.echo.range * std::cos(one.echo.bearing), 50.0, 1e-9);
+      ASSERT_NEAR(one.measured.range * std::cos(one.measured.bearing), 50.0, 1e-9);
       ++number;
     }
   EXPECT_NEAR(number / (kPings / 20 * 62.0), 0.8, rate_tolerance(0.8, kPings / 20 * 62.0));
@@ -70,7 +70,7 @@ TEST(StandingThings, StandStillWhileTheSonarMoves) {
   ping.T_earth_sonar = {20.0, 10.0, radians(10.0)};
   const auto heard = draw_standing(plan, ping, random);
   ASSERT_EQ(heard.size(), 1u);
-  EXPECT_NEAR(heard[0].echo.range, 40.0, 1e-9);
+  EXPECT_NEAR(heard[0].measured.range, 40.0, 1e-9);
   EXPECT_EQ(heard[0].beam, ping.params.beam_of(radians(-10.0)));
 }
 

@@ -9,12 +9,12 @@ namespace {
 
 TEST(DecisionLines, AreThoseOfTheTrackAndTheNewest) {
   const tests::TemporaryDirectory directory;
-  std::string text = "info: 0.500 s track 7: begin, 0.1 nats, echoes\n";
+  std::string text = "info: 0.500 s track 7: begin, 0.1 nats, returns\n";
   for (int k = 0; k < 100; ++k)
     text += "info: 1.000 s track 77: confirm, 3.0 nats, number " + std::to_string(k) + "\n";
   const std::string path = directory.write("explain.txt", text);
   EXPECT_EQ(decision_lines(path, 7),
-            std::vector<std::string>{"info: 0.500 s track 7: begin, 0.1 nats, echoes"});
+            std::vector<std::string>{"info: 0.500 s track 7: begin, 0.1 nats, returns"});
   EXPECT_EQ(decision_lines(path, 77).size(), 30u);
   EXPECT_TRUE(decision_lines(path, 77).back().ends_with("number 99"));
 }

@@ -52,7 +52,7 @@ class SonarMap {
     }
   }
 
-  // Where echoes came from in the last minute, in the sonar's own frame.
+  // Where returns came from in the last minute, in the sonar's own frame.
   learnClutter(scan) {
     const seconds = this.clutterTime === null ? 0 : (scan.utime - this.clutterTime) * 1e-6;
     this.clutterTime = scan.utime;

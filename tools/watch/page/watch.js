@@ -60,7 +60,7 @@ function bytesOf(base64) {
   return bytes;
 }
 
-// One column a ping: the strongest echo of all beams by range, near ranges below.
+// One column a ping: the strongest cell of all beams by range, near ranges below.
 function addToWaterfall(image) {
   const canvas = $("waterfall"), context = canvas.getContext("2d");
   canvas.hidden = false;
@@ -189,7 +189,7 @@ function showChosen() {
   chart($("history"), [{colour: "#58d68d", points: trail.map((point) => [point[0], point[3]])}], 1);
   const first = trail[0], last = trail[trail.length - 1];
   const way = Math.hypot(last[1] - first[1], last[2] - first[2]);
-  const seen = track ? `, last echo ${number((picture.tracks ? picture.tracks.utime - track.last_detection_utime : 0) * 1e-6, 1)} s ago` : "";
+  const seen = track ? `, last detection ${number((picture.tracks ? picture.tracks.utime - track.last_detection_utime : 0) * 1e-6, 1)} s ago` : "";
   text("history-text", `${trail.length} points over ${number(last[0] - first[0], 1)} s, ${number(way, 1)} m from its place then`
     + `, existence ${number(first[3], 2)} \u2192 ${number(last[3], 2)}${seen}`);
 }

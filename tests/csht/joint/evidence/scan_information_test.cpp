@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "core/random.hpp"
 #include "tests/support/sonar_scene.hpp"
@@ -10,13 +11,16 @@
 namespace lookout::csht {
 namespace {
 
-// a prototype's study lists 4.0, 2.1, 1.3, 1.1 nats on the diagonal, to the accuracy of their printing.
+// Closed form for P_M = P_F = p, false alarms uniform over the range R and a Gaussian error sigma: a
+// detection brings ln((1 - p)/p R/(sqrt(2 pi) sigma)) less the mean 1/2 of its squared error's half, a
+// silence ln(p/(1 - p)). For the default sonar 4.00, 2.08, 1.25, 1.09 nats.
 TEST(NatsPerScan, OfTheDiagonal) {
-  const double expected[] = {4.0, 2.1, 1.3, 1.1};
-  for (int k = 0; k < 4; ++k) {
-    const double p = 0.1 + 0.2 * k;
+  const core::SonarParams sonar;
+  const double sharpness = sonar.max_range / (std::sqrt(2.0 * std::numbers::pi) * sonar.range_sigma);
+  for (const double p : {0.1, 0.3, 0.5, 0.7}) {
     const ScanHistory scans = one_scan(p, p);
-    EXPECT_NEAR(nats_per_scan(scans.figures(), scans.newest()), expected[k], 0.06);
+    const double detection = std::log((1.0 - p) / p * sharpness) - 0.5, silence = std::log(p / (1.0 - p));
+    EXPECT_NEAR(nats_per_scan(scans.figures(), scans.newest()), (1.0 - p) * detection + p * silence, 1e-5);
   }
 }
 
