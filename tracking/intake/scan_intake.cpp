@@ -6,6 +6,8 @@
 
 #include "core/files/csv.hpp"
 #include "core/files/time_text.hpp"
+#include "tracking/intake/intake_words.hpp"
+#include "tracking/intake/ping_content.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -14,61 +16,12 @@ using Verdict = ClockGuard::Verdict;
 
 /// Sensors that one vehicle is likely to carry; more of them are damaged messages.
 constexpr std::size_t kMaxSensors = 64;
-/// Fewer returns may repeat to the bit by chance.
-constexpr std::size_t kTellingReturns = 3;
-
-constexpr const char* name_of(const core::SonarScan&) {
-  return "scan";
-}
-constexpr const char* name_of(const core::SonarImage&) {
-  return "image";
-}
 
 core::SonarScan& ping_of(core::PosedScan& posed) {
   return posed.scan;
 }
 core::SonarImage& ping_of(core::PosedImage& posed) {
   return posed.image;
-}
-
-template <class Value>
-std::string_view bytes_of(const std::vector<Value>& values) {
-  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(Value)};
-}
-
-std::string_view content_of(const core::SonarScan& scan) {
-  return bytes_of(scan.returns);
-}
-std::string_view content_of(const core::SonarImage& image) {
-  return bytes_of(image.intensity);
-}
-
-/// A hash of what a ping heard; 0 for too little to tell a frozen sensor by.
-template <class Ping>
-std::size_t hash_of(const Ping& ping) {
-  const std::string_view content = content_of(ping);
-  if (content.size() < kTellingReturns * sizeof(core::SonarReturn)) return 0;
-  return std::hash<std::string_view>()(content);
-}
-
-/// Whether the n-th event of a kind is worth a line: the first, second, fourth, ..., so that a stream of bad
-/// input does not become a stream of lines.
-bool worth_a_line(std::int64_t n) {
-  return (n & (n - 1)) == 0;
-}
-
-std::string at_time(std::int64_t utime) {
-  return " at " + core::time_text(utime) + " s";
-}
-
-std::string so_far(std::int64_t count) {
-  return " (" + std::to_string(count) + " so far)";
-}
-
-template <class Ping>
-std::string described(const Ping& ping) {
-  const std::string sensor = ping.sensor_id == 0 ? "" : " of sensor " + std::to_string(ping.sensor_id);
-  return name_of(ping) + sensor + at_time(ping.utime);
 }
 
 std::int64_t max_pose_gap(const core::SonarParams& configured) {
@@ -174,32 +127,24 @@ void PingIntake<Ping>::refuse_held(Sensor& sensor) {
     refuse_out_of_time(sensor, ping, "its time goes back or leaps ahead, alone");
 }
 
-/// Puts a ping among those that wait, in order of time; of one time in order of arrival.
+/// Puts a ping among those that wait.
 template <class Ping>
 void PingIntake<Ping>::enqueue(Sensor& sensor, Ping ping) {
   const std::int64_t utime = ping.utime;
   const bool too_late = handed_out_ && utime < *handed_out_;
-  if (too_late || (!waiting_.empty() && utime < waiting_.back().utime))
+  if (too_late || (!waiting_.empty() && utime < waiting_.last_utime()))
     hold_.note(newest_utime() - utime, newest_utime(), too_late);
   if (sensor.last_out && utime == *sensor.last_out)
     return refuse_out_of_time(sensor, ping, "its time repeats");
   if (too_late) return refuse_out_of_time(sensor, ping, "comes too late");
-  const auto place =
-      std::upper_bound(waiting_.begin(), waiting_.end(), utime,
-                       [](std::int64_t time, const Ping& other) { return time < other.utime; });
-  for (auto other = place; other != waiting_.begin() && std::prev(other)->utime == utime; --other) {
-    if (std::prev(other)->sensor_id == ping.sensor_id)
-      return refuse_out_of_time(sensor, ping, "its time repeats");
-  }
-  waiting_bytes_ += content_of(ping).size();
-  waiting_.insert(place, std::move(ping));
+  if (!waiting_.insert(ping)) return refuse_out_of_time(sensor, ping, "its time repeats");
   bound_waiting();
 }
 
 template <class Ping>
 void PingIntake<Ping>::bound_waiting() {
   while (waiting_.size() > params_.max_waiting ||
-         (waiting_.size() > 1 && waiting_bytes_ > params_.max_waiting_bytes))
+         (waiting_.size() > 1 && waiting_.bytes() > params_.max_waiting_bytes))
     give_up_first("no pose, and too many wait for theirs");
 }
 
@@ -212,7 +157,7 @@ void PingIntake<Ping>::finish() {
   }
   hold_.forget();
   hand_out_what_has_a_pose();
-  while (!waiting_.empty()) give_up_first(why_no_pose(waiting_.front().utime));
+  while (!waiting_.empty()) give_up_first(why_no_pose(waiting_.first_utime()));
 }
 
 template <class Ping>
@@ -225,7 +170,7 @@ std::int64_t PingIntake<Ping>::newest_utime() const {
 template <class Ping>
 void PingIntake<Ping>::hand_out_what_has_a_pose() {
   while (!waiting_.empty()) {
-    const std::int64_t utime = waiting_.front().utime;
+    const std::int64_t utime = waiting_.first_utime();
     const std::int64_t newest = newest_utime();
     if (newest - utime < hold_.at(newest)) return;
     if (const auto T_earth_body = states_.poses().at(utime)) {
@@ -241,9 +186,7 @@ void PingIntake<Ping>::hand_out_what_has_a_pose() {
 template <class Ping>
 void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   Ping& ping = ping_of(posed_);
-  ping = std::move(waiting_.front());
-  waiting_.pop_front();
-  waiting_bytes_ -= content_of(ping).size();
+  ping = waiting_.take_first();
   posed_.T_earth_sonar = core::compose(T_earth_body, ping.T_body_sonar);
   Sensor& sensor = sensors_.at(ping.sensor_id);
   look_at(sensor, ping);
@@ -268,7 +211,7 @@ void PingIntake<Ping>::look_at(Sensor& sensor, const Ping& ping) {
     sink_.report(described(ping) + " has another geometry than the configuration; the message wins" +
                  so_far(counts_.other_geometry));
   sensor.geometry = geometry;
-  const std::size_t content = hash_of(ping);
+  const std::size_t content = hash_of(content_of(ping));
   const bool repeats = content != 0 && content == std::exchange(sensor.content, content);
   if (repeats && worth_a_line(++counts_.repeated))
     sink_.report(described(ping) + " repeats the one before to the bit: is the sensor frozen?" +
@@ -277,9 +220,7 @@ void PingIntake<Ping>::look_at(Sensor& sensor, const Ping& ping) {
 
 template <class Ping>
 void PingIntake<Ping>::give_up_first(std::string_view reason) {
-  const Ping ping = std::move(waiting_.front());
-  waiting_.pop_front();
-  waiting_bytes_ -= content_of(ping).size();
+  const Ping ping = waiting_.take_first();
   Sensor& sensor = sensors_.at(ping.sensor_id);
   count_sequence(sensor, ping.sequence);
   handed_out_ = sensor.last_out = ping.utime;

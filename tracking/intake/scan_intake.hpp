@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -16,6 +15,7 @@
 #include "tracking/intake/ping_checks.hpp"
 #include "tracking/intake/pose_intake.hpp"
 #include "tracking/intake/reorder_hold.hpp"
+#include "tracking/intake/waiting_pings.hpp"
 
 namespace lookout::tracking {
 
@@ -132,8 +132,7 @@ class PingIntake {
   PoseIntake states_;
   std::map<std::int32_t, Sensor> sensors_;
   ReorderHold hold_;
-  std::deque<Ping> waiting_;  ///< In order of time.
-  std::size_t waiting_bytes_ = 0;
+  WaitingPings<Ping> waiting_;
   std::optional<std::int64_t> handed_out_;  ///< Time of the newest ping that has left [us].
   Posed posed_;
   IntakeCounts counts_;
