@@ -17,7 +17,7 @@ struct PoseDrift {
 /// that it is the same whatever the period of the reports.
 class PoseErrors {
  public:
-  /// @param plan what navigation gets wrong. @param random its own stream.
+  /// @param drift what navigation gets wrong. @param random its own stream.
   PoseErrors(const PoseDrift& drift, core::Random random);
 
   /// The error to add to the true pose at `time` [s].

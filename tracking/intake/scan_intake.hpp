@@ -50,15 +50,18 @@ struct IntakeCounts {
   std::int64_t rejected() const { return no_pose + damaged + out_of_time; }
 };
 
+/// The posed form of a kind of ping.
 template <class Ping>
 struct PosedOf;
+/// A scan's.
 template <>
 struct PosedOf<core::SonarScan> {
-  using Type = core::PosedScan;
+  using Type = core::PosedScan;  ///< With its pose.
 };
+/// An image's.
 template <>
 struct PosedOf<core::SonarImage> {
-  using Type = core::PosedImage;
+  using Type = core::PosedImage;  ///< With its pose.
 };
 
 /// Takes vehicle states and pings in the order of their arrival and hands the pings out in order of time,
@@ -142,7 +145,7 @@ class PingIntake {
 extern template class PingIntake<core::SonarScan>;
 extern template class PingIntake<core::SonarImage>;
 
-using ScanIntake = PingIntake<core::SonarScan>;
-using ImageIntake = PingIntake<core::SonarImage>;
+using ScanIntake = PingIntake<core::SonarScan>;    ///< Of scans.
+using ImageIntake = PingIntake<core::SonarImage>;  ///< Of images.
 
 }  // namespace lookout::tracking
