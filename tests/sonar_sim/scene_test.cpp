@@ -5,20 +5,12 @@
 #include <filesystem>
 
 #include "core/input_error.hpp"
+#include "tests/sonar_sim/scene_error.hpp"
 
 namespace lookout::sonar_sim {
 namespace {
 
 const std::string kScenarios = LOOKOUT_SOURCE_DIR "/tools/scenarios/";
-
-std::string error_of(const std::string& text) {
-  try {
-    parse_scene(text, "scene.yaml");
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(Scene, EveryShippedSceneLoads) {
   int scenes = 0;

@@ -4,6 +4,7 @@
 
 #include "core/input_error.hpp"
 #include "sonar_sim/scene.hpp"
+#include "tests/sonar_sim/scene_error.hpp"
 
 namespace lookout::sonar_sim {
 namespace {
@@ -12,15 +13,6 @@ const std::string kSonar = "sonar: {miss_probability: 0.1, false_alarm_probabili
 
 SeaPlan sea_of(const std::string& sea) {
   return parse_scene("duration: 5\n" + kSonar + "sea:\n" + sea, "scene.yaml").platforms[0].sonar.sea;
-}
-
-std::string error_of(const std::string& text) {
-  try {
-    parse_scene(text, "scene.yaml");
-  } catch (const core::InputError& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 /// The error of a scene whose `sea` begins in line 4.
