@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "core/input_error.hpp"
+#include "lcmtypes/receive_buffer.hpp"
 
 namespace lookout::lcmtypes {
 namespace {
@@ -86,7 +87,7 @@ void take(const lcm::ReceiveBuffer* received, const std::string& channel, Inbox*
 
 }  // namespace
 
-Bus::Bus(const std::string& url) : url_(resolved(url)) {
+Bus::Bus(const std::string& url) : url_(with_receive_buffer(resolved(url), largest_receive_buffer())) {
   require_known_transport(url_);
   if (is_multicast() && !has_route(url_)) throw BusError(cannot_open(url_));
   lcm_ = std::make_unique<lcm::LCM>(url_);
@@ -104,31 +105,37 @@ bool Bus::may_come_up(const std::string& url) {
 void Bus::subscribe_bytes(const std::string& channel,
                           std::function<void(std::span<const std::uint8_t>)> handler) {
   inbox_.on_bytes(channel, std::move(handler));
-  listen(channel);
+  listen(channel, kQueueCapacity);
 }
 
-void Bus::listen(const std::string& channel) {
-  subscribe_at(*lcm_, channel);
-  listened_.push_back(channel);
+void Bus::listen(const std::string& channel, int queue_capacity) {
+  subscribe_at(*lcm_, {channel, queue_capacity});
+  listened_.push_back({channel, queue_capacity});
 }
 
-void Bus::subscribe_at(lcm::LCM& lcm, const std::string& channel) {
-  lcm::Subscription* subscription = lcm.subscribeFunction(literal(channel), &take, &inbox_);
-  if (subscription == nullptr) throw BusError("LCM refuses to subscribe to " + channel);
-  subscription->setQueueCapacity(kQueueCapacity);
+void Bus::subscribe_at(lcm::LCM& lcm, const Listened& listened) {
+  lcm::Subscription* subscription = lcm.subscribeFunction(literal(listened.channel), &take, &inbox_);
+  if (subscription == nullptr) throw BusError("LCM refuses to subscribe to " + listened.channel);
+  subscription->setQueueCapacity(listened.queue_capacity);
+}
+
+std::int64_t Bus::dropped_datagrams() const {
+  return is_multicast() ? dropped_before_ + lcmtypes::dropped_datagrams() : 0;
 }
 
 bool Bus::reopen() {
   if (!is_multicast() || !has_route(url_)) return false;
   drain();
+  const std::int64_t dropped = dropped_datagrams();
   auto fresh = std::make_unique<lcm::LCM>(url_);
   if (!fresh->good()) return false;
   try {
-    for (const auto& channel : listened_) subscribe_at(*fresh, channel);
+    for (const auto& listened : listened_) subscribe_at(*fresh, listened);
   } catch (const BusError&) {
     return false;
   }
   lcm_ = std::move(fresh);
+  dropped_before_ = dropped;
   return true;
 }
 

@@ -22,8 +22,9 @@ struct BusError : std::runtime_error {
 /// threads.
 class Bus {
  public:
-  static constexpr std::size_t kLargestMessage = 65'499;  ///< One datagram [bytes].
-  static constexpr int kQueueCapacity = 1000;             ///< Messages that wait per subscription.
+  static constexpr std::size_t kLargestMessage = 65'499;  ///< One datagram [bytes]: of all types but images.
+  static constexpr int kQueueCapacity = 1000;             ///< Messages that wait per subscription;
+  static constexpr int kImageQueueCapacity = 32;          ///< of images: of the largest, 270 MB.
 
   /// How waiting for a message ended.
   enum class Heard {
@@ -40,24 +41,30 @@ class Bus {
   template <class Wire, class Handler>
   void subscribe(const std::string& channel, Handler handler) {
     inbox_.on<Wire>(channel, std::move(handler));
-    listen(channel);
+    listen(channel, std::is_same_v<Wire, sonar_image_t> ? kImageQueueCapacity : kQueueCapacity);
   }
   /// Calls `handler` with the bytes of each message as they came, unchecked; valid until it returns.
   /// @throws BusError where LCM refuses.
   void subscribe_bytes(const std::string& channel,
                        std::function<void(std::span<const std::uint8_t>)> handler);
 
-  /// @throws std::length_error above kLargestMessage. A failure to send is counted.
+  /// @throws std::length_error above largest_bytes<Wire>(). A failure to send is counted.
   template <class Wire>
   void publish(const std::string& channel, const Wire& wire) {
     const int size = wire.getEncodedSize();
-    if (size < 0 || static_cast<std::size_t>(size) > kLargestMessage)
-      throw std::length_error(channel + ": a message of " + std::to_string(size) +
-                              " bytes does not fit a datagram");
+    if (size < 0 || static_cast<std::size_t>(size) > largest_bytes<Wire>())
+      throw std::length_error(channel + ": a message of " + std::to_string(size) + " bytes, at most " +
+                              std::to_string(largest_bytes<Wire>()) + " are sent");
     buffer_.resize(static_cast<std::size_t>(size));
     if (wire.encode(buffer_.data(), 0, size) != size)
       throw std::length_error(channel + ": message not encodable");
     send(channel);
+  }
+
+  /// Bytes of the largest message of a type: one datagram, or of images as many as the largest has.
+  template <class Wire>
+  static constexpr std::size_t largest_bytes() {
+    return std::is_same_v<Wire, sonar_image_t> ? kLargestImage : kLargestMessage;
   }
 
   Heard handle_for(std::chrono::milliseconds timeout);  ///< Waits for a message and handles it.
@@ -66,6 +73,10 @@ class Bus {
   const Inbox& inbox() const { return inbox_; }              ///< What was received and refused, by channel.
   std::int64_t send_errors() const { return send_errors_; }  ///< Messages that the system refused to send.
   const std::string& send_error() const { return send_error_; }  ///< Why, the newest; empty for none.
+
+  /// Datagrams that found no room in the receive buffer of UDP multicast, and with each the message that it
+  /// was of; 0 of other transports.
+  std::int64_t dropped_datagrams() const;
 
   /// Makes the sockets anew, with all subscriptions: multicast memberships end with their interface. UDP
   /// multicast alone; what has arrived is handled first. Returns false, and stays as it was, where that is
@@ -79,17 +90,23 @@ class Bus {
   static bool may_come_up(const std::string& url);
 
  private:
-  void listen(const std::string& channel);
-  void subscribe_at(lcm::LCM& lcm, const std::string& channel);
+  /// One channel that is listened to.
+  struct Listened {
+    std::string channel;
+    int queue_capacity;
+  };
+  void listen(const std::string& channel, int queue_capacity);
+  void subscribe_at(lcm::LCM& lcm, const Listened& listened);
   void send(const std::string& channel);
   Heard close();
 
   std::string url_;
-  std::vector<std::string> listened_;
+  std::vector<Listened> listened_;
   std::unique_ptr<lcm::LCM> lcm_;
   Inbox inbox_;
   std::vector<std::uint8_t> buffer_;
   std::int64_t send_errors_ = 0;
+  std::int64_t dropped_before_ = 0;  ///< Datagrams, by sockets that were closed since.
   std::string send_error_;
   bool lost_server_ = false;
 };

@@ -21,19 +21,21 @@
 #include "core/pose_history.hpp"
 #include "core/sensor_estimate.hpp"
 #include "core/sonar_image.hpp"
+#include "core/sonar_limits.hpp"
 #include "core/sonar_scan.hpp"
 #include "core/track.hpp"
 
 /// Wire <-> core. `to_core` trusts nothing: counts must agree with sizes, floats be finite, booleans 0 or 1,
 /// codes known, times within core::kMaxUtime; what fails is refused with its reason. The returns of a scan
 /// alone may hold anything: NaN and infinity are silences, which the intake counts. Beams come out counted
-/// from port. `to_wire` keeps every message below one datagram.
+/// from port. `to_wire` keeps every message below one datagram, images alone excepted.
 namespace lookout::lcmtypes {
 
 inline constexpr std::size_t kMaxListed = 300;    ///< Tracks or elements in one message.
 inline constexpr std::size_t kMaxReturns = 2700;  ///< Returns in one message: 24 bytes each.
 inline constexpr std::size_t kMaxTargets = 1700;  ///< True targets in one message: 37 bytes each.
-inline constexpr std::size_t kMaxPixels = 32700;  ///< Beams x bins of an image in one message: 2 bytes each.
+/// Beams x bins of an image: 2 bytes each, in as many datagrams as that takes.
+inline constexpr std::size_t kMaxPixels = core::SonarLimits::kMaxPixels;
 
 /// A message as core type, or the reason why it was refused.
 template <class Core>
@@ -80,7 +82,8 @@ struct Listed {
 Converted<core::VehicleState> to_core(const vehicle_state_t& wire);
 /// Refuses counts, sizes and geometry that are not those of a scan, and a header that is not finite.
 Converted<core::SonarScan> to_core(const sonar_scan_t& wire);
-/// Refuses counts, sizes and geometry that are not those of an image, and values that are not finite.
+/// Refuses counts and sizes that are not those of an image, bearings that are not strictly monotonic, and
+/// values that are not finite.
 Converted<core::SonarImage> to_core(const sonar_image_t& wire);
 /// Refuses too many targets, a count that the list does not have, and values that are not finite.
 Converted<core::GroundTruth> to_core(const ground_truth_t& wire);
@@ -96,8 +99,8 @@ Converted<core::LocalEstimate> to_core(const local_estimate_t& wire);
 vehicle_state_t to_wire(const core::VehicleState& state);  ///< Field by field; cannot fail.
 /// @throws std::length_error above kMaxReturns.
 sonar_scan_t to_wire(const core::SonarScan& scan);
-/// Intensities become integers in steps of the largest magnitude / 32767.
-/// @throws std::length_error above kMaxPixels: such an image does not fit one datagram.
+/// Intensities become integers, in steps of the image's own scale where 16 bits hold them, else of the
+/// largest magnitude / 32767. @throws std::length_error above kMaxPixels, or where sizes disagree.
 sonar_image_t to_wire(const core::SonarImage& image);
 /// @throws std::length_error above kMaxTargets.
 ground_truth_t to_wire(const core::GroundTruth& truth);

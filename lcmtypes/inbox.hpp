@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -14,6 +13,10 @@
 #include "lcmtypes/convert.hpp"
 
 namespace lookout::lcmtypes {
+
+/// Bytes of the largest image: its pixels, a bearing a beam and its header.
+inline constexpr std::size_t kLargestImage =
+    sizeof(std::int16_t) * kMaxPixels + sizeof(double) * core::SonarLimits::kMaxBeams + 128;
 
 /// What became of the messages of one channel.
 struct ChannelCounts {
@@ -46,7 +49,7 @@ std::int32_t source_of(const Wire& wire) {
 template <class Wire>
 std::optional<Wire> decode(const void* data, std::size_t size) noexcept {
   try {
-    if (size > static_cast<std::size_t>(std::numeric_limits<int>::max())) return std::nullopt;
+    if (size > kLargestImage) return std::nullopt;  // No type has a larger message.
     Wire wire{};  // Fresh: the generated decode leaves old lists in place where the new ones are empty.
     if (wire.decode(data, 0, static_cast<int>(size)) != static_cast<int>(size)) return std::nullopt;
     return wire;

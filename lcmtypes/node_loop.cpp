@@ -87,6 +87,7 @@ void NodeLoop::note_message() {
 
 void NodeLoop::look_after_link() {
   tell_send_errors();
+  tell_dropped_datagrams();
   const auto now = Clock::now();
   const bool falls_silent = heard_ && !silent_ && now - last_message_ > kSilence;
   if (falls_silent) {
@@ -104,6 +105,14 @@ void NodeLoop::tell_send_errors() {
   if (errors == 0 || errors < 2 * told_send_errors_) return;
   told_send_errors_ = errors;
   limits_.tell(std::to_string(errors) + " messages could not be sent: " + bus_.send_error());
+}
+
+void NodeLoop::tell_dropped_datagrams() {
+  const std::int64_t dropped = bus_.dropped_datagrams();
+  if (dropped == 0 || dropped < 2 * told_dropped_) return;
+  told_dropped_ = dropped;
+  limits_.tell(std::to_string(dropped) +
+               " datagrams found no room in the receive buffer: raise net.core.rmem_max (docs/live.md)");
 }
 
 void NodeLoop::reopen() {

@@ -21,7 +21,7 @@ struct LoopLimits {
 
 /// What every node does around its messages: waits for them, calls back once a second, and knows when to
 /// stop. A link that has spoken and falls silent, or that refuses to send, is told of and its sockets are
-/// made anew.
+/// made anew; datagrams that found no room are told of.
 class NodeLoop {
  public:
   using Clock = std::chrono::steady_clock;
@@ -47,6 +47,7 @@ class NodeLoop {
   void handle_for(Clock::duration longest);
   void look_after_link();
   void tell_send_errors();
+  void tell_dropped_datagrams();
   void reopen();
   void note_message();
 
@@ -59,7 +60,7 @@ class NodeLoop {
   Clock::time_point next_reopening_;
   bool heard_ = false;   // Anything at all.
   bool silent_ = false;  // And told so.
-  std::int64_t reopened_ = 0, told_send_errors_ = 0, send_errors_before_ = 0;
+  std::int64_t reopened_ = 0, told_send_errors_ = 0, send_errors_before_ = 0, told_dropped_ = 0;
   bool closed_ = false;
 };
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/beam_bearings.hpp"
 #include "core/parameter_check.hpp"
 
 namespace lookout::sonar_sim {
@@ -34,11 +35,9 @@ core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& pl
   check(plan);
   core::SonarImage image;
   image.T_body_sonar = sonar.T_body_sonar;
-  image.first_bearing = sonar.first_bearing;
-  image.bearing_step = sonar.bearing_step;
+  image.bearings = core::even_bearings(sonar.first_bearing, sonar.bearing_step, sonar.num_beams);
   image.first_range = plan.first_range;
   image.range_step = plan.range_step;
-  image.num_beams = sonar.num_beams;
   image.num_bins = plan.num_bins;
   image.intensity.assign(static_cast<std::size_t>(sonar.num_beams) * static_cast<std::size_t>(plan.num_bins),
                          0.0);
@@ -63,8 +62,8 @@ void add_echo(const core::SonarImage& image, const ImagePlan& plan, const ImageT
   const auto bin_of = [&](double range) { return (range - image.first_range) / image.range_step; };
   const int first = std::max(0, static_cast<int>(std::ceil(bin_of(target.range - reach))));
   const int last = std::min(image.num_bins - 1, static_cast<int>(std::floor(bin_of(target.range + reach))));
-  for (int beam = 0; beam < image.num_beams; ++beam) {
-    const double off = core::wrap_to_pi(image.first_bearing + beam * image.bearing_step - target.bearing);
+  for (int beam = 0; beam < image.num_beams(); ++beam) {
+    const double off = core::wrap_to_pi(image.bearings[static_cast<std::size_t>(beam)] - target.bearing);
     const std::complex<double> in_beam = echo * beam_response(plan, off);
     for (int bin = first; bin <= last; ++bin) {
       const double range = image.first_range + bin * image.range_step;

@@ -43,7 +43,7 @@ core::SonarImage draw_image(const core::SonarParams& sonar, const ImagePlan& pla
   for (const ImageTarget& target : image_targets(sonar, T_earth_sonar, truth, snr_db, random))
     add_echo(image, plan, target, field);
   std::size_t cell = 0;
-  for (int beam = 0; beam < image.num_beams; ++beam)
+  for (int beam = 0; beam < image.num_beams(); ++beam)
     for (int bin = 0; bin < image.num_bins; ++bin, ++cell) {
       const double level = plan.background_level(image.first_range + bin * image.range_step);
       image.intensity[cell] = std::abs(field[cell] + level * draw_background(plan.shape, random));

@@ -8,6 +8,7 @@ namespace lookout::sonar_sim {
 namespace {
 
 constexpr double kLargestReportShare = 0.25;  // of the scan period
+constexpr double kImageLevels = 32'767.0;     // of an image: what a message holds to the bit
 
 template <class State>
 void append(std::vector<State>& all, const std::vector<State>& more) {
@@ -129,6 +130,7 @@ core::SonarImage SonarSimulator::make_image(const SimulatedScan& simulated) {
       if (plan.id == target.id) snr_db.push_back(plan.snr_db.value_or(platform().image->snr_db));
   core::SonarImage image = draw_image(platform().sonar.params, *platform().image, simulated.T_earth_sonar,
                                       simulated.truth, snr_db, image_random_);
+  core::quantise(image, kImageLevels);
   image.sequence = simulated.scan.sequence;
   image.sensor_id = simulated.scan.sensor_id;
   return image;

@@ -53,6 +53,19 @@ TEST(Bus, RefusesAMessageAboveOneDatagram) {
   EXPECT_THROW(bus.publish("GROUND_TRUTH", truth), std::length_error);
 }
 
+TEST(Bus, TakesAnImageOfManyDatagrams) {
+  Bus bus("memq://");
+  std::size_t pixels = 0;
+  bus.subscribe<sonar_image_t>("SONAR_IMAGE",
+                               [&](const core::SonarImage& image) { pixels = image.intensity.size(); });
+  core::SonarImage image = tests::example_image();
+  image.num_bins = 32'000;
+  image.intensity.assign(64'000, 1.0);
+  bus.publish("SONAR_IMAGE", to_wire(image));
+  bus.drain();
+  EXPECT_EQ(pixels, 64'000u);
+}
+
 TEST(Bus, WritesAFileThatReadsBackToItsEnd) {
   const tests::TemporaryDirectory directory;
   const std::string log = directory.file("scans.lcm");

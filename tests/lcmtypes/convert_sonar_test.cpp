@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <stdexcept>
+
+#include "core/beam_bearings.hpp"
+#include "lcmtypes/inbox.hpp"
 #include "tests/lcmtypes/example_messages.hpp"
 
 namespace lookout::lcmtypes {
@@ -45,7 +50,7 @@ TEST(ConvertSonar, ImageThereAndBack) {
   EXPECT_EQ(back->sequence, 5);
   EXPECT_EQ(back->first_range, 1.0);
   EXPECT_EQ(back->range_step, 0.25);
-  EXPECT_EQ(back->num_beams, 2);
+  EXPECT_EQ(back->bearings, example_image().bearings);
   EXPECT_EQ(back->num_bins, 3);
   EXPECT_EQ(back->intensity, example_image().intensity);
 }
@@ -58,12 +63,60 @@ TEST(ConvertSonar, ImageIntensityIsWithinHalfAStepOfTheLargest) {
     EXPECT_NEAR(back->intensity[i], image.intensity[i], 0.5 * 1.7 / 32767);
 }
 
-TEST(ConvertSonar, TheImageOfTheDesignFits) {  // 90 x 300 is 54,096 bytes: 96 of header, 2 a cell.
+/// Of 8 bytes of fingerprint, 20 of time, sequence and sensor, 48 of mount, ranges and scale, 4 of counts.
+constexpr std::size_t kHeaderBytes = 8 + 20 + 48 + 4;
+
+core::SonarImage image_of(int beams, int bins) {
   auto image = example_image();
-  image.num_beams = 90;
-  image.num_bins = 300;
-  image.intensity.assign(90 * 300, 0.5);
-  EXPECT_EQ(encoded(to_wire(image)).size(), 54'096u);
+  image.bearings = core::even_bearings(-0.5, 1e-5, beams);
+  image.num_bins = bins;
+  image.intensity.assign(static_cast<std::size_t>(beams) * static_cast<std::size_t>(bins), 0.5);
+  return image;
+}
+
+TEST(ConvertSonar, AnImageTakesTwoBytesAPixelAndEightABeam) {
+  EXPECT_EQ(encoded(to_wire(image_of(90, 300))).size(), kHeaderBytes + 90 * 8 + 90 * 300 * 2);
+}
+
+TEST(ConvertSonar, TheLargestImagePassesThroughTheDecoder) {
+  const auto bytes = encoded(to_wire(image_of(4096, 1024)));
+  const auto wire = decode<sonar_image_t>(bytes.data(), bytes.size());
+  ASSERT_TRUE(wire);
+  const auto image = to_core(*wire).value;
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->intensity.size(), 4'194'304u);
+  EXPECT_THROW(to_wire(image_of(4097, 1024)), std::length_error);
+}
+
+TEST(ConvertSonar, AFanCountedFromStarboardComesOutFromPort) {
+  auto wire = to_wire(example_image());
+  std::swap(wire.bearing[0], wire.bearing[1]);
+  std::swap(wire.intensity[0], wire.intensity[1]);
+  const auto image = to_core(wire).value;
+  ASSERT_TRUE(image);
+  EXPECT_EQ(image->bearings, example_image().bearings);
+  EXPECT_EQ(image->intensity, example_image().intensity);
+}
+
+TEST(ConvertSonar, BearingsThatAreNotStrictlyMonotonicAreRefused) {
+  auto wire = to_wire(image_of(3, 1));
+  for (const std::vector<double>& bearings : {std::vector{0.0, 0.1, 0.1}, {0.0, 0.2, 0.1}, {0.0, 0.0, 0.0}}) {
+    wire.bearing = bearings;
+    EXPECT_EQ(to_core(wire).refusal, "image: bearings not strictly monotonic");
+  }
+  wire.bearing[1] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(to_core(wire).refusal, "image: header not finite");
+  wire.bearing.pop_back();
+  EXPECT_EQ(to_core(wire).refusal, "image: beams or bins disagree with the intensities");
+}
+
+TEST(ConvertSonar, WholeStepsOfTheImagesOwnScaleStayToTheBit) {
+  auto image = example_image();
+  image.intensity = {0.1, 0.2, 0.3, 0.4, 0.5, 1.7};
+  core::quantise(image, 255.0);  // An instrument of 8 bits.
+  const auto back = to_core(to_wire(image)).value;
+  EXPECT_EQ(back->intensity, image.intensity);
+  EXPECT_EQ(back->intensity_scale, 1.7 / 255.0);
 }
 
 }  // namespace

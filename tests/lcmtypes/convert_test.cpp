@@ -67,17 +67,12 @@ TEST(Convert, EveryFullMessageFitsOneDatagram) {
   const std::vector elements(400, example_element());
   auto scan = example_scan();
   scan.returns.resize(kMaxReturns);
-  auto image = example_image();
-  image.num_beams = 100;
-  image.num_bins = 327;
-  image.intensity.assign(kMaxPixels, 1.0);
   core::GroundTruth truth;
   truth.targets.resize(kMaxTargets);
   EXPECT_LE(encoded(to_wire(kExampleKey, tracks).message).size(), kDatagram);
   EXPECT_LE(encoded(to_wire(kExampleKey, core::EstimatorMethod::csht, 20, elements).message).size(),
             kDatagram);
   EXPECT_LE(encoded(to_wire(scan)).size(), kDatagram);
-  EXPECT_LE(encoded(to_wire(image)).size(), kDatagram);
   EXPECT_LE(encoded(to_wire(truth)).size(), kDatagram);
 }
 
@@ -86,10 +81,11 @@ TEST(Convert, RefusesToPublishWhatDoesNotFit) {
   scan.returns.resize(kMaxReturns + 1);
   EXPECT_THROW(to_wire(scan), std::length_error);
   auto image = example_image();
-  image.num_beams = 1;
-  image.num_bins = static_cast<int>(kMaxPixels) + 1;
-  image.intensity.assign(kMaxPixels + 1, 1.0);
-  EXPECT_THROW(to_wire(image), std::length_error);
+  image.num_bins = core::SonarLimits::kMaxBins + 1;
+  image.intensity.assign(2 * static_cast<std::size_t>(image.num_bins), 1.0);
+  EXPECT_THROW(to_wire(image), std::length_error);  // More bins than 16 bits count.
+  image.num_bins = 3;
+  EXPECT_THROW(to_wire(image), std::length_error);  // Sizes that disagree.
   core::GroundTruth truth;
   truth.targets.resize(kMaxTargets + 1);
   EXPECT_THROW(to_wire(truth), std::length_error);

@@ -32,11 +32,9 @@ inline core::SonarImage example_image() {
   image.sequence = 5;
   image.sensor_id = 8;
   image.T_body_sonar = {0.5, 0.25, -0.125};
-  image.first_bearing = -0.5;
-  image.bearing_step = 0.5;
+  image.bearings = {-0.5, 0.125};
   image.first_range = 1.0;
   image.range_step = 0.25;
-  image.num_beams = 2;
   image.num_bins = 3;
   // Multiples of the largest / 32767, so that the integers on the wire hold them exactly.
   image.intensity = {32767.0, 0.0, 1.0, -5.0, 16000.0, 7.0};

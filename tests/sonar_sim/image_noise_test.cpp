@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/beam_bearings.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
 
 namespace lookout::sonar_sim {
@@ -54,9 +55,9 @@ TEST(ImageNoise, AStrongTargetIsTheBrightestCellWhereItIsSeen) {
     const auto cell = static_cast<int>(brightest - image.intensity.begin());
     const Eigen::Vector2d p_sonar =
         core::inverse_transform(ping->T_earth_sonar, ping->truth.targets[0].position);
-    const double bearing = image.first_bearing + (cell / image.num_bins) * image.bearing_step;
+    const double bearing = image.bearings[static_cast<std::size_t>(cell / image.num_bins)];
     const double range = image.first_range + (cell % image.num_bins) * image.range_step;
-    EXPECT_NEAR(bearing, std::atan2(p_sonar.y(), p_sonar.x()), 0.6 * image.bearing_step);
+    EXPECT_NEAR(bearing, std::atan2(p_sonar.y(), p_sonar.x()), 0.6 * core::mean_step(image.bearings));
     EXPECT_NEAR(range, p_sonar.norm(), 0.6 * image.range_step);
     ++pings;
   }

@@ -5,9 +5,10 @@ import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import lookout.sonar_image_t;
 
-/** The newest image, beams from left to right and ranges upwards, the strongest echo white. */
+/** The newest image, bearings from left to right and ranges upwards, the strongest echo white. */
 final class ImagePanel extends LivePanel {
     private static final int MARGIN = 18;
+    private static final int MIN_COLUMNS = 256;  // So that uneven beams have the width that is theirs.
 
     private sonar_image_t image;
     private BufferedImage picture;
@@ -26,15 +27,33 @@ final class ImagePanel extends LivePanel {
                 largest = Math.max(largest, value);
             }
         }
-        BufferedImage drawn = new BufferedImage(next.num_beams, next.num_bins, BufferedImage.TYPE_INT_RGB);
-        for (int beam = 0; beam < next.num_beams; beam++) {
+        int[] beams = beamsByBearing(next.bearing, Math.max(MIN_COLUMNS, next.num_beams));
+        BufferedImage drawn = new BufferedImage(beams.length, next.num_bins, BufferedImage.TYPE_INT_RGB);
+        for (int column = 0; column < beams.length; column++) {
             for (int bin = 0; bin < next.num_bins; bin++) {
-                float share = Math.max(0, next.intensity[beam][bin]) / (float) largest;
-                drawn.setRGB(beam, next.num_bins - 1 - bin, new Color(share, 0.85f * share, 0.5f * share).getRGB());
+                float share = Math.max(0, next.intensity[beams[column]][bin]) / (float) largest;
+                drawn.setRGB(column, next.num_bins - 1 - bin, new Color(share, 0.85f * share, 0.5f * share).getRGB());
             }
         }
         image = next;
         picture = drawn;
+    }
+
+    /** The beam of each column, where columns divide the sector evenly from port to starboard. */
+    static int[] beamsByBearing(double[] bearing, int columns) {
+        double[] edges = BeamEdges.of(bearing);
+        double port = Math.min(edges[0], edges[edges.length - 1]);
+        double starboard = Math.max(edges[0], edges[edges.length - 1]);
+        int[] beams = new int[columns];
+        for (int column = 0; column < columns; column++) {
+            double at = port + (column + 0.5) / columns * (starboard - port);
+            for (int beam = 1; beam < bearing.length; beam++) {
+                if (Math.abs(bearing[beam] - at) < Math.abs(bearing[beams[column]] - at)) {
+                    beams[column] = beam;
+                }
+            }
+        }
+        return beams;
     }
 
     @Override

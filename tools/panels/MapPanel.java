@@ -15,6 +15,7 @@ import java.util.HashMap;
 import java.util.Map;
 import lookout.motion_element_t;
 import lookout.motion_elements_t;
+import lookout.sonar_image_t;
 import lookout.sonar_scan_t;
 import lookout.track_list_t;
 import lookout.track_t;
@@ -23,7 +24,7 @@ import lookout.vehicle_state_t;
 /** The fan with its returns, which fade, and the tracks: shape and colour by status, number, velocity, ellipse, trail. */
 final class MapPanel extends LivePanel {
     static final Color[] STATUS_COLOURS = {new Color(0xf7dc6f), new Color(0x58d68d), new Color(0x85c1e9)};
-    private static final String[] CHANNELS = {"SONAR_SCAN", "GLOBAL_TRACKS", "TRACKS", "MOTION_ELEMENTS"};
+    private static final String[] CHANNELS = {"SONAR_SCAN", "SONAR_IMAGE", "GLOBAL_TRACKS", "TRACKS", "MOTION_ELEMENTS"};
     private static final double FADE_S = 8.0;
     private static final double TRAIL_S = 30.0;
     private static final int MAX_SCANS = 160;
@@ -40,6 +41,8 @@ final class MapPanel extends LivePanel {
     private final Map<Long, Deque<Place>> trails = new HashMap<>();
     private vehicle_state_t vehicle;
     private sonar_scan_t scan;
+    private double[] edges;  // Bearings between the beams of the fan, null before there is one.
+    private double range = 150.0;  // Of the fan.
     private double[] sonar = {0.0, 0.0, 0.0};  // North, east, heading of the sonar at the scan.
     private track_list_t tracks;
     private track_list_t globalTracks;
@@ -51,6 +54,7 @@ final class MapPanel extends LivePanel {
         String prefix = prefixOf(channel);
         listen(prefix + "VEHICLE_STATE", bytes -> vehicle = new vehicle_state_t(bytes));
         listen(prefix + "SONAR_SCAN", bytes -> takeScan(new sonar_scan_t(bytes)));
+        listen(prefix + "SONAR_IMAGE", bytes -> takeImage(new sonar_image_t(bytes)));
         listen(prefix + "TRACKS", bytes -> takeTracks(new track_list_t(bytes)));
         listen("GLOBAL_TRACKS", bytes -> globalTracks = new track_list_t(bytes));
         listen(prefix + "MOTION_ELEMENTS", bytes -> elements = new motion_elements_t(bytes));
@@ -75,14 +79,38 @@ final class MapPanel extends LivePanel {
         repaint();
     }
 
+    private void placeSonar(double x, double y, double heading) {
+        if (vehicle == null) {
+            return;
+        }
+        double c = Math.cos(vehicle.heading);
+        double s = Math.sin(vehicle.heading);
+        sonar = new double[] {vehicle.north + c * x - s * y, vehicle.east + s * x + c * y, vehicle.heading + heading};
+    }
+
+    /** The fan of a sonar that sends images alone. */
+    private void takeImage(sonar_image_t next) {
+        if (scan != null || next.num_beams < 1) {
+            return;
+        }
+        placeSonar(next.mount_x, next.mount_y, next.mount_heading);
+        edges = BeamEdges.of(next.bearing);
+        range = next.first_range + (next.num_bins - 0.5) * next.range_step;
+    }
+
+    private static double[] evenEdges(sonar_scan_t scan) {
+        double[] edges = new double[scan.num_beams + 1];
+        for (int beam = 0; beam <= scan.num_beams; beam++) {
+            edges[beam] = scan.first_bearing + (beam - 0.5) * scan.bearing_step;
+        }
+        return edges;
+    }
+
     private void takeScan(sonar_scan_t next) {
         scan = next;
-        if (vehicle != null) {
-            double c = Math.cos(vehicle.heading);
-            double s = Math.sin(vehicle.heading);
-            sonar = new double[] {vehicle.north + c * next.mount_x - s * next.mount_y,
-                vehicle.east + s * next.mount_x + c * next.mount_y, vehicle.heading + next.mount_heading};
-        }
+        edges = evenEdges(next);
+        range = next.max_range;
+        placeSonar(next.mount_x, next.mount_y, next.mount_heading);
         double[] north = new double[next.num_returns];
         double[] east = new double[next.num_returns];
         for (int i = 0; i < next.num_returns; i++) {
@@ -121,12 +149,8 @@ final class MapPanel extends LivePanel {
 
     // --- geometry -----------------------------------------------------------------------------------------------
 
-    private double range() {
-        return scan == null ? 150.0 : scan.max_range;
-    }
-
     private double pixelsPerMetre() {
-        return 0.9 * Math.min(getWidth(), getHeight()) / range() * zoom;
+        return 0.9 * Math.min(getWidth(), getHeight()) / range * zoom;
     }
 
     private double turn() {
@@ -135,9 +159,9 @@ final class MapPanel extends LivePanel {
 
     /** Where a place of the earth is on the panel: the middle of the fan stands in the middle. */
     Point2D toScreen(double north, double east) {
-        double middle = scan == null ? 0.0 : scan.first_bearing + 0.5 * (scan.num_beams - 1) * scan.bearing_step;
-        double dn = north - (sonar[0] + 0.5 * range() * Math.cos(sonar[2] + middle));
-        double de = east - (sonar[1] + 0.5 * range() * Math.sin(sonar[2] + middle));
+        double middle = edges == null ? 0.0 : 0.5 * (edges[0] + edges[edges.length - 1]);
+        double dn = north - (sonar[0] + 0.5 * range * Math.cos(sonar[2] + middle));
+        double de = east - (sonar[1] + 0.5 * range * Math.sin(sonar[2] + middle));
         double up = dn * Math.cos(turn()) - de * Math.sin(turn());
         double right = dn * Math.sin(turn()) + de * Math.cos(turn());
         return new Point2D.Double(getWidth() / 2.0 + right * pixelsPerMetre(), getHeight() / 2.0 - up * pixelsPerMetre());
@@ -171,14 +195,14 @@ final class MapPanel extends LivePanel {
     }
 
     private void paintFan(Graphics2D g) {
-        if (scan == null) {
+        if (edges == null) {
             return;
         }
         Path2D fan = new Path2D.Double();
         extend(fan, toScreen(sonar[0], sonar[1]));
-        for (int beam = 0; beam <= scan.num_beams; beam++) {
-            double angle = sonar[2] + scan.first_bearing + (beam - 0.5) * scan.bearing_step;
-            extend(fan, toScreen(sonar[0] + range() * Math.cos(angle), sonar[1] + range() * Math.sin(angle)));
+        for (double edge : edges) {
+            double angle = sonar[2] + edge;
+            extend(fan, toScreen(sonar[0] + range * Math.cos(angle), sonar[1] + range * Math.sin(angle)));
         }
         fan.closePath();
         g.setColor(new Color(0x12283a));

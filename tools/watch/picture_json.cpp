@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "core/beam_bearings.hpp"
 #include "tools/watch/health.hpp"
 
 namespace lookout::tools {
@@ -32,17 +33,25 @@ json to_json(const std::optional<core::Pose2>& pose) {
   return pose ? to_json(*pose) : json(nullptr);
 }
 
+std::pair<double, double> edges_of(const core::SonarScan& scan) {
+  const double left = scan.first_bearing - 0.5 * scan.bearing_step;
+  return {left, left + scan.num_beams * scan.bearing_step};
+}
+
+std::pair<double, double> edges_of(const core::SonarImage& image) {
+  if (image.bearings.empty()) return {0.0, 0.0};
+  return {core::left_edge(image.bearings), core::right_edge(image.bearings)};
+}
+
 template <class Ping>
 json head_of(const Placed<Ping>& placed) {
   const Ping& ping = placed.ping;
-  const double half = 0.5 * ping.bearing_step;
-  const double first = ping.first_bearing - half;
-  const double last = ping.first_bearing + (ping.num_beams - 1) * ping.bearing_step + half;
+  const auto [left, right] = edges_of(ping);
   return {{"utime", ping.utime},
           {"sequence", ping.sequence},
           {"sensor_id", ping.sensor_id},
           {"pose", to_json(placed.T_earth_sonar)},
-          {"edges", {rounded_angle(first), rounded_angle(last)}}};
+          {"edges", {rounded_angle(left), rounded_angle(right)}}};
 }
 
 json head_of(const lcmtypes::ScanKey& key) {
@@ -164,8 +173,8 @@ std::string base64(std::span<const std::uint8_t> bytes) {
 /// The largest value of each block of beams and bins.
 std::vector<double> largest_of_blocks(const core::SonarImage& image, int beams, int bins) {
   std::vector<double> blocks(static_cast<std::size_t>(beams) * static_cast<std::size_t>(bins), 0.0);
-  for (int beam = 0; beam < image.num_beams; ++beam) {
-    const int row = static_cast<int>(static_cast<std::int64_t>(beam) * beams / image.num_beams);
+  for (int beam = 0; beam < image.num_beams(); ++beam) {
+    const int row = static_cast<int>(static_cast<std::int64_t>(beam) * beams / image.num_beams());
     for (int bin = 0; bin < image.num_bins; ++bin) {
       const int column = static_cast<int>(static_cast<std::int64_t>(bin) * bins / image.num_bins);
       double& block = blocks[static_cast<std::size_t>(row * bins + column)];
@@ -225,7 +234,7 @@ json to_json(const Placed<core::SonarScan>& scan) {
 
 json to_json(const Placed<core::SonarImage>& image) {
   const core::SonarImage& ping = image.ping;
-  const int beams = std::min(ping.num_beams, kMaxShownBeams);
+  const int beams = std::min(ping.num_beams(), kMaxShownBeams);
   const int bins = std::min(ping.num_bins, kMaxShownBins);
   json out = head_of(image);
   out["beams"] = beams;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/beam_bearings.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -24,17 +26,15 @@ bool valid_time(std::int64_t utime) {
   return utime >= -core::kMaxUtime && utime <= core::kMaxUtime;
 }
 
+/// What is wrong with time, mount or beams of a ping.
 template <class Ping>
-std::string_view header_defect(const Ping& ping) {
+std::string_view header_defect(const Ping& ping, int num_beams) {
   const core::Pose2& mount = ping.T_body_sonar;
   if (!valid_time(ping.utime)) return "time out of range";
   if (!within(mount.north, PingLimits::kMaxMount) || !within(mount.east, PingLimits::kMaxMount) ||
       !within(mount.heading, PingLimits::kMaxAngle))
     return "mount out of range";
-  if (ping.num_beams < 1 || ping.num_beams > PingLimits::kMaxBeams) return "number of beams out of range";
-  if (!within(ping.first_bearing, kFullTurn) || !positive_below(ping.bearing_step, kFullTurn) ||
-      ping.num_beams * ping.bearing_step > kFullTurn * (1.0 + kSameGeometry))
-    return "bearings out of range";
+  if (num_beams < 1 || num_beams > PingLimits::kMaxBeams) return "number of beams out of range";
   return {};
 }
 
@@ -42,8 +42,8 @@ bool same(double a, double b) {
   return within(a - b, kSameGeometry);
 }
 
-template <class Ping, class Other>
-bool same_sector(const Ping& ping, const Other& other) {
+template <class Other>
+bool same_sector(const PingGeometry& ping, const Other& other) {
   return ping.num_beams == other.num_beams && same(ping.first_bearing, other.first_bearing) &&
          same(ping.bearing_step, other.bearing_step) &&
          same(ping.T_body_sonar.north, other.T_body_sonar.north) &&
@@ -71,18 +71,23 @@ bool bring_into_sector(const core::SonarScan& scan, core::SonarReturn& one) {
 }  // namespace
 
 std::string_view defect(const core::SonarScan& scan) {
-  if (const auto header = header_defect(scan); !header.empty()) return header;
+  if (const auto header = header_defect(scan, scan.num_beams); !header.empty()) return header;
+  if (!within(scan.first_bearing, kFullTurn) || !positive_below(scan.bearing_step, kFullTurn) ||
+      scan.num_beams * scan.bearing_step > kFullTurn * (1.0 + kSameGeometry))
+    return "bearings out of range";
   if (!positive_below(scan.max_range, PingLimits::kMaxRange)) return "maximum range out of range";
   return {};
 }
 
 std::string_view defect(const core::SonarImage& image) {
-  if (const auto header = header_defect(image); !header.empty()) return header;
+  if (const auto header = header_defect(image, image.num_beams()); !header.empty()) return header;
+  if (!core::is_beam_table(image.bearings) || !within(image.bearings.front(), kFullTurn) ||
+      !within(image.bearings.back(), kFullTurn))
+    return "bearings out of range";
   if (!within(image.first_range, PingLimits::kMaxRange) ||
       !positive_below(image.range_step, PingLimits::kMaxRange) || image.num_bins < 1)
     return "ranges out of range";
-  const std::size_t pixels =
-      static_cast<std::size_t>(image.num_beams) * static_cast<std::size_t>(image.num_bins);
+  const std::size_t pixels = image.bearings.size() * static_cast<std::size_t>(image.num_bins);
   if (pixels > PingLimits::kMaxPixels || pixels != image.intensity.size()) return "sizes disagree";
   if (!std::all_of(image.intensity.begin(), image.intensity.end(), [](double v) { return std::isfinite(v); }))
     return "an intensity is not finite";
@@ -126,7 +131,8 @@ PingGeometry geometry_of(const core::SonarScan& scan) {
 
 PingGeometry geometry_of(const core::SonarImage& image) {
   const double max_range = image.first_range + image.num_bins * image.range_step;
-  return {image.T_body_sonar, image.first_bearing, image.bearing_step, max_range, image.num_beams};
+  return {image.T_body_sonar, image.bearings.front(), core::mean_step(image.bearings), max_range,
+          image.num_beams()};
 }
 
 bool same(const PingGeometry& a, const PingGeometry& b) {
@@ -134,11 +140,11 @@ bool same(const PingGeometry& a, const PingGeometry& b) {
 }
 
 bool agrees(const core::SonarScan& scan, const core::SonarParams& configured) {
-  return same_sector(scan, configured) && same(scan.max_range, configured.max_range);
+  return same_sector(geometry_of(scan), configured) && same(scan.max_range, configured.max_range);
 }
 
 bool agrees(const core::SonarImage& image, const core::SonarParams& configured) {
-  return same_sector(image, configured);
+  return same_sector(geometry_of(image), configured);
 }
 
 }  // namespace lookout::tracking

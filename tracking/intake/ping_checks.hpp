@@ -22,7 +22,7 @@ struct PingLimits {
   static constexpr double kMaxSpeed = core::SonarLimits::kMaxSpeed;  ///< Of a vehicle [m/s].
   static constexpr double kMaxAngle = 1e3;                           ///< Of a heading or bearing [rad].
   /// Beams x bins of an image.
-  static constexpr std::size_t kMaxPixels = 1'000'000;
+  static constexpr std::size_t kMaxPixels = core::SonarLimits::kMaxPixels;
 };
 
 /// NaN or infinite in a header, a time, size or geometry out of range. Returns are not looked at.
@@ -42,7 +42,7 @@ DroppedReturns drop_returns(core::SonarScan& scan);
 /// Likewise.
 DroppedReturns drop_returns(core::SonarImage& image);
 
-/// Fan, ranges and mount of a ping.
+/// Fan, ranges and mount of a ping; of uneven beams the mean spacing.
 struct PingGeometry {
   core::Pose2 T_body_sonar;                        ///< Mount: forward, starboard [m], heading [rad].
   double first_bearing = 0.0, bearing_step = 0.0;  ///< [rad]

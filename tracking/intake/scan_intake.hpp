@@ -24,9 +24,9 @@ struct IntakeParams {
   /// How long a ping waits for its pose and for late pings before it, in data time [us], >= 0; where the
   /// sensor's params say something else than their default, that.
   std::int64_t max_wait = 1'000'000;
-  std::size_t max_waiting = 1024;             ///< Pings that may wait at once, >= 1; with
-  std::size_t max_waiting_bytes = 64U << 20;  ///< the room for their content they bound memory in a flood.
-  ClockGuardParams clock;                     ///< `max_late` is taken from max_wait.
+  std::size_t max_waiting = 1024;              ///< Pings that may wait at once, >= 1; with
+  std::size_t max_waiting_bytes = 256U << 20;  ///< the room for their content they bound memory in a flood.
+  ClockGuardParams clock;                      ///< `max_late` is taken from max_wait.
 };
 
 /// What became of everything that came in since the start: received = accepted + rejected() + what still

@@ -48,6 +48,7 @@ public final class PanelTest {
         });
         testNames();
         testMap();
+        testMapOfImages();
         testImage();
         testOspa();
         testStatus();
@@ -183,6 +184,25 @@ public final class PanelTest {
         send("TRACKS", track(1, 80.0, 20.0));
     }
 
+    private static void testMapOfImages() throws Exception {
+        LivePanel panel = open(new MapPlugin(), "TRACKS", track_list_t.LCM_FINGERPRINT);
+        sonar_image_t message = new sonar_image_t();
+        message.num_beams = 3;
+        message.num_bins = 100;
+        message.first_range = 0.5;
+        message.range_step = 1.0;
+        message.bearing = new double[] {-0.2, 0.0, 0.2};
+        message.intensity = new short[3][100];
+        send("VEHICLE_STATE", vehicle(0.0));
+        send("SONAR_IMAGE", message);
+        send("TRACKS", track(1, 80.0, 20.0));
+        BufferedImage image = look(panel, "map_images");
+        double scale = FILL * Math.min(image.getWidth(), image.getHeight()) / RANGE;
+        check(has(image, image.getWidth() / 2.0 + 20.0 * scale, image.getHeight() / 2.0 - 30.0 * scale, 2,
+                MapPanel.STATUS_COLOURS[1]), "without scans the images give the fan: 100 m ahead fill the panel");
+        close();
+    }
+
     private static boolean bright(BufferedImage image, double x, double y) {
         for (int dx = -2; dx <= 2; dx++) {
             for (int dy = -2; dy <= 2; dy++) {
@@ -201,6 +221,7 @@ public final class PanelTest {
         message.num_beams = 4;
         message.num_bins = 4;
         message.range_step = 1.0;
+        message.bearing = new double[] {-0.3, -0.1, 0.1, 0.9};
         message.intensity = new short[4][4];
         message.intensity[3][3] = 1000;
         send("SONAR_IMAGE", message);
@@ -208,6 +229,10 @@ public final class PanelTest {
         int height = image.getHeight() - 18;
         Color strong = new Color(image.getRGB(image.getWidth() * 7 / 8, 18 + height / 8));
         check(strong.getRed() > 200, "the strongest echo, last beam and farthest bin, is bright at the right above");
+        // The last beam reaches from .5 to 1.3 rad of the -.4 to 1.3 that the sector spans: nearly half of the width.
+        Color inner = new Color(image.getRGB((int) (image.getWidth() * 0.58), 18 + height / 8));
+        check(inner.getRed() > 200, "a beam is as wide as its bearings say");
+        check(new Color(image.getRGB((int) (image.getWidth() * 0.45), 18 + height / 8)).getRed() < 50, "and no wider");
         check(new Color(image.getRGB(image.getWidth() / 8, image.getHeight() - height / 8)).getRed() < 50, "the rest is dark");
         close();
     }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "core/beam_bearings.hpp"
 #include "tests/tools/watch/watch_examples.hpp"
 
 namespace lookout::tools {
@@ -58,11 +59,13 @@ TEST(PictureJson, OfAScanHasReturnsEdgesAndPose) {
 
 TEST(PictureJson, ReducesALargeImageToItsStrongestEchoes) {
   core::SonarImage image = tests::example_image();
-  image.num_beams = 2 * kMaxShownBeams;
+  image.bearings = core::even_bearings(-0.5, 0.003, 2 * kMaxShownBeams);
   image.num_bins = 2 * kMaxShownBins;
-  image.intensity.assign(static_cast<std::size_t>(image.num_beams * image.num_bins), 0.0);
+  image.intensity.assign(static_cast<std::size_t>(image.num_beams() * image.num_bins), 0.0);
   image.intensity[1] = 5.0;  // Beam 0, bin 1: falls into the first block.
   const auto json = to_json(Placed<core::SonarImage>{image, std::nullopt});
+  EXPECT_NEAR(json["edges"][0], -0.5 - 0.0015, 1e-4);  // Half a beam outside the outer centres.
+  EXPECT_NEAR(json["edges"][1], -0.5 + (2 * kMaxShownBeams - 0.5) * 0.003, 1e-4);
   EXPECT_EQ(json["beams"], kMaxShownBeams);
   EXPECT_EQ(json["bins"], kMaxShownBins);
   const std::string pixels = json["pixels"];

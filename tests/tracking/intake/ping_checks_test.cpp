@@ -21,9 +21,8 @@ core::SonarScan good_scan() {  // Three beams of 0.1 rad around the axis.
 
 core::SonarImage good_image() {
   core::SonarImage image;
-  image.bearing_step = 0.1;
+  image.bearings = {0.0, 0.1};
   image.range_step = 1.0;
-  image.num_beams = 2;
   image.num_bins = 2;
   image.intensity = {1, 2, 3, 4};
   return image;
@@ -53,6 +52,11 @@ TEST(PingChecks, NameTheDefectOfAScan) {
 
 TEST(PingChecks, NameTheDefectOfAnImageAndOfAState) {
   auto image = good_image();
+  image.bearings = {0.1, 0.0};
+  EXPECT_EQ(defect(image), "bearings out of range");
+  image.bearings.clear();
+  EXPECT_EQ(defect(image), "number of beams out of range");
+  image = good_image();
   image.num_bins = 3;
   EXPECT_EQ(defect(image), "sizes disagree");
   image = good_image();

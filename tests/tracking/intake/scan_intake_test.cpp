@@ -328,9 +328,9 @@ TEST(ImageIntake, PosesImagesByTheSameRules) {
                       [] {}, [](const std::string&) {}});
   core::SonarImage image;
   image.utime = kSecond;
-  image.bearing_step = 0.1;
+  image.bearings = {0.0};
   image.range_step = 1.0;
-  image.num_beams = image.num_bins = 1;
+  image.num_bins = 1;
   image.intensity = {1.0};
   intake.add(core::VehicleState{0, {0.0, 0.0, 0.0}, {0.0, 0.0}});
   intake.add(image);

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/beam_bearings.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -13,31 +15,30 @@ bool inside(const Eigen::Vector2d& cell, int columns, int rows) {
 
 SonarCellGeometry::SonarCellGeometry(const core::PosedImage& posed)
     : T_earth_sonar_(posed.T_earth_sonar),
-      first_bearing_(posed.image.first_bearing),
-      bearing_step_(posed.image.bearing_step),
+      bearings_(posed.image.bearings),
       first_range_(posed.image.first_range),
       range_step_(posed.image.range_step),
-      num_beams_(posed.image.num_beams),
       num_bins_(posed.image.num_bins) {}
 
 CellView SonarCellGeometry::observe(const Eigen::Vector2d& p_earth) const {
   const Eigen::Vector2d p_sonar = core::inverse_transform(T_earth_sonar_, p_earth);
   const double range = p_sonar.norm();
   const double bearing = std::atan2(p_sonar.y(), p_sonar.x());
+  const double place = core::place_of(bearings_, bearing);
   CellView view;
-  view.cell = {(range - first_range_) / range_step_ + 0.5, (bearing - first_bearing_) / bearing_step_ + 0.5};
-  view.inside = range > 0.0 && inside(view.cell, num_bins_, num_beams_);
+  view.cell = {(range - first_range_) / range_step_ + 0.5, place + 0.5};
+  view.inside = range > 0.0 && inside(view.cell, num_bins_, static_cast<int>(bearings_.size()));
   if (range <= 0.0) return view;
   const double azimuth = bearing + T_earth_sonar_.heading;
   const double c = std::cos(azimuth), s = std::sin(azimuth);
-  view.jacobian << c / range_step_, s / range_step_, -s / (range * bearing_step_),
-      c / (range * bearing_step_);
+  const double beam_width = range * core::step_at(bearings_, place);
+  view.jacobian << c / range_step_, s / range_step_, -s / beam_width, c / beam_width;
   return view;
 }
 
 Eigen::Vector2d SonarCellGeometry::position_of(const Eigen::Vector2d& cell) const {
   const double range = first_range_ + (cell.x() - 0.5) * range_step_;
-  const double bearing = first_bearing_ + (cell.y() - 0.5) * bearing_step_;
+  const double bearing = core::bearing_at(bearings_, cell.y() - 0.5);
   return core::transform(T_earth_sonar_, core::from_polar(range, bearing));
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "core/sonar_image.hpp"
 
@@ -23,7 +24,8 @@ class CellGeometry {
   virtual Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const = 0;
 };
 
-/// Columns are range bins, rows are beams, positions are north, east [m]; the sonar's own pose is part of it.
+/// Columns are range bins, rows are beams, even or not; positions are north, east [m]; the sonar's own pose
+/// is part of it.
 class SonarCellGeometry : public CellGeometry {
  public:
   /// Takes pose, beams and bins of the image; keeps no reference.
@@ -33,8 +35,9 @@ class SonarCellGeometry : public CellGeometry {
 
  private:
   core::Pose2 T_earth_sonar_;
-  double first_bearing_, bearing_step_, first_range_, range_step_;
-  int num_beams_, num_bins_;
+  std::vector<double> bearings_;
+  double first_range_, range_step_;
+  int num_bins_;
 };
 
 /// Positions are pixels.

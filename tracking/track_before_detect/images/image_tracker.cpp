@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/beam_bearings.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -33,11 +35,11 @@ std::span<const std::string_view> image_tracker_names() {
 
 std::string image_fault(const core::PosedImage& posed) {
   const core::SonarImage& image = posed.image;
-  const auto cells = static_cast<long long>(image.num_beams) * image.num_bins;
-  if (image.num_beams < 1 || image.num_bins < 1 || static_cast<long long>(image.intensity.size()) != cells)
+  const auto cells = static_cast<long long>(image.num_beams()) * image.num_bins;
+  if (image.num_beams() < 1 || image.num_bins < 1 || static_cast<long long>(image.intensity.size()) != cells)
     return "size";
-  if (!(std::isfinite(image.first_bearing) && std::isfinite(image.first_range) && image.bearing_step > 0.0 &&
-        image.range_step > 0.0 && std::isfinite(image.bearing_step) && std::isfinite(image.range_step)))
+  if (!(core::is_beam_table(image.bearings) && std::isfinite(image.first_range) && image.range_step > 0.0 &&
+        std::isfinite(image.range_step)))
     return "geometry";
   if (!finite(posed.T_earth_sonar)) return "pose";
   for (const double value : image.intensity)

@@ -20,7 +20,7 @@ RangeBackground::RangeBackground(const RangeBackgroundParams& params) : params_(
 }
 
 const IntensityFrame& RangeBackground::normalise(const core::SonarImage& image) {
-  const int bins = image.num_bins, beams = image.num_beams;
+  const int bins = image.num_bins, beams = image.num_beams();
   median_.resize(static_cast<std::size_t>(bins));
   level_.resize(median_.size());
   for (int bin = 0; bin < bins; ++bin) {

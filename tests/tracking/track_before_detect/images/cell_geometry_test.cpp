@@ -2,16 +2,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "core/beam_bearings.hpp"
+
 namespace lookout::tracking {
 namespace {
 
 core::PosedImage fan() {
   core::PosedImage posed;
-  posed.image.first_bearing = core::radians(-44.5);
-  posed.image.bearing_step = core::radians(1.0);
+  posed.image.bearings = core::even_bearings(core::radians(-44.5), core::radians(1.0), 90);
   posed.image.first_range = 0.25;
   posed.image.range_step = 0.5;
-  posed.image.num_beams = 90;
   posed.image.num_bins = 300;
   posed.T_earth_sonar = {10.0, -20.0, 0.7};
   return posed;
@@ -43,6 +45,20 @@ TEST(CellGeometry, JacobianIsTheDifferenceQuotient) {
     const Eigen::Vector2d slope = (geometry.observe(p + d).cell - geometry.observe(p - d).cell) / (2 * kStep);
     EXPECT_LT((slope - view.jacobian.col(axis)).norm(), 1e-6);
   }
+}
+
+TEST(CellGeometry, OfUnevenBeamsEachCentreLiesInItsOwnRow) {
+  core::PosedImage posed = fan();
+  posed.image.bearings = {-0.5, -0.2, 0.0, 0.05};
+  const SonarCellGeometry geometry(posed);
+  for (std::size_t beam = 0; beam < posed.image.bearings.size(); ++beam) {
+    const Eigen::Vector2d p_sonar = core::from_polar(50.0, posed.image.bearings[beam]);
+    const CellView view = geometry.observe(core::transform(posed.T_earth_sonar, p_sonar));
+    EXPECT_NEAR(view.cell.y(), static_cast<double>(beam) + 0.5, 1e-9);
+  }
+  const Eigen::Vector2d between = geometry.position_of({100.0, 1.0});  // Half way from beam 0 to 1.
+  const Eigen::Vector2d p_sonar = core::inverse_transform(posed.T_earth_sonar, between);
+  EXPECT_NEAR(std::atan2(p_sonar.y(), p_sonar.x()), -0.35, 1e-12);
 }
 
 TEST(CellGeometry, BehindTheSonarIsOutside) {

@@ -4,13 +4,15 @@
 
 #include <stdexcept>
 
+#include "core/beam_bearings.hpp"
+
 namespace lookout::tracking {
 namespace {
 
 /// Level 10 / (1 + bin) in each of nine beams.
 core::SonarImage falling_level() {
   core::SonarImage image;
-  image.num_beams = 9;
+  image.bearings = core::even_bearings(-0.04, 0.01, 9);
   image.num_bins = 40;
   for (int beam = 0; beam < 9; ++beam)
     for (int bin = 0; bin < 40; ++bin) image.intensity.push_back(10.0 / (1.0 + 0.02 * bin));
