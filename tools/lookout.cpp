@@ -153,7 +153,9 @@ void declare_score(CLI::App& app, Options& options) {
 }
 
 void declare_replay(CLI::App& app, Options& options) {
-  app.add_option("INPUT", options.inputs, "Recording directory, or LCM logs in order")->expected(1, -1)->required();
+  app.add_option("INPUT", options.inputs, "Recording directory, or LCM logs in order")
+      ->expected(1, -1)
+      ->required();
   add_out(app, options);
   add_seed(app, options);
   add_tracking(app, options);
@@ -186,7 +188,8 @@ void declare_ospa(CLI::App& app, Options& options) {
 
 void declare_tbd(CLI::App& app, Options& options) {
   app.add_option("METHOD", options.method, one_of("Method", tracking::frame_tracker_names()))->required();
-  app.add_option("FRAMES_DIR", options.inputs, "Directory of PGM frames, taken in order of name")
+  app.add_option("FRAMES_DIR", options.inputs,
+                 "Directory of PGM frames, taken in order of name, or a recording with images.csv")
       ->expected(1)
       ->required();
   app.add_option("--out", options.out, "CSV file to write");

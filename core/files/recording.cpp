@@ -7,6 +7,7 @@
 
 #include "core/files/csv.hpp"
 #include "core/files/geometry_file.hpp"
+#include "core/files/image_recording.hpp"
 #include "core/files/recording_columns.hpp"
 #include "core/files/scans_file.hpp"
 #include "core/files/stamp_checks.hpp"
@@ -216,10 +217,13 @@ Recording read_recording(const std::string& directory, const SonarParams& defaul
   Recording recording;
   const auto stated_period = read_params(file("sonar.yaml"), defaults, recording);
   const ScanGeometry geometry = geometry_of(recording.params.value_or(defaults));
-  ReadScans read = read_scans(
-      file("scans.csv"),
-      there("geometry.csv") ? GeometryByTime::read(file("geometry.csv"), geometry) : GeometryByTime(geometry),
-      recording.notes);
+  recording.has_images = holds_images(directory);
+  ReadScans read;
+  if (there("scans.csv") || !recording.has_images)
+    read = read_scans(file("scans.csv"),
+                      there("geometry.csv") ? GeometryByTime::read(file("geometry.csv"), geometry)
+                                            : GeometryByTime(geometry),
+                      recording.notes);
   recording.is_fixed = !there("vehicle.csv");
   if (recording.is_fixed)
     recording.notes.push_back(directory + ": no vehicle.csv: a fixed sensor at the origin");
@@ -237,12 +241,14 @@ Recording read_recording(const std::string& directory, const SonarParams& defaul
 void write_recording(const std::string& directory, const Recording& recording) {
   const std::filesystem::path folder(directory);
   std::filesystem::create_directories(folder);
-  for (const char* name : {"vehicle.csv", "truth.csv", "sonar.yaml", "geometry.csv"})
+  for (const char* name : {"scans.csv", "vehicle.csv", "truth.csv", "sonar.yaml", "geometry.csv"})
     std::filesystem::remove(folder / name);
+  if (!recording.has_images) remove_images(directory);
   const auto file = [&folder](const char* name) { return (folder / name).string(); };
   const auto& starts = recording.new_clocks;
   const auto scan_clocks = clocks_of(recording.scans.size(), starts, &ClockStart::scan);
-  write_scans(file("scans.csv"), recording.scans, scan_clocks);
+  if (!recording.scans.empty() || !recording.has_images)
+    write_scans(file("scans.csv"), recording.scans, scan_clocks);
   if (!recording.is_fixed)
     write_vehicle(file("vehicle.csv"), recording.vehicle,
                   clocks_of(recording.vehicle.size(), starts, &ClockStart::state));

@@ -30,17 +30,21 @@ struct Recording {
   std::vector<std::string> notes;      ///< What a reader should be told of the files: a line each.
   std::vector<ClockStart> new_clocks;  ///< After the first, which begins at 0; mostly none.
   bool is_fixed = false;               ///< A sensor at the origin: no vehicle.csv.
+  bool has_images =
+      false;  ///< Sonar images lie beside it (core/files/image_recording.hpp); without scans no scans.csv.
 };
 
-/// Reads `scans.csv`, `vehicle.csv` and, where present, `truth.csv`, `sonar.yaml` and `geometry.csv`. Without
-/// vehicle.csv the sensor stands at the origin, which `notes` says. Angles may stand in degrees
+/// Reads `scans.csv`, `vehicle.csv` and, where present, `truth.csv`, `sonar.yaml` and `geometry.csv`. Beside
+/// images there may be no scans.csv: then there are no scans. Without vehicle.csv the sensor stands at the
+/// origin, which `notes` says. Angles may stand in degrees
 /// (`bearing_deg`, `heading_deg`); a bearing or range of nan or inf is a silence and counted in `notes`.
 /// @param defaults what sonar.yaml overrides, and the geometry of the scans.
 /// @throws InputError naming file, line and column.
 Recording read_recording(const std::string& directory, const SonarParams& defaults = {});
 
 /// Writes the same files: truth.csv, sonar.yaml and geometry.csv only where there is something in them, and
-/// no vehicle.csv for a fixed sensor. Files of another recording in the directory do not stay.
+/// no vehicle.csv for a fixed sensor. Files of another recording in the directory do not stay, images among
+/// them unless `has_images`, who writes them beforehand (`ImageWriter`).
 void write_recording(const std::string& directory, const Recording& recording);
 
 /// Tracks at one scan time.

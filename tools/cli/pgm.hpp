@@ -6,22 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/files/grey_image.hpp"
+
 namespace lookout::tools {
 
-/// A grey image as read from a file.
-struct GreyImage {
-  int columns = 0;
-  int rows = 0;
-  std::vector<double> pixels;  ///< columns * rows grey levels, row by row.
-};
-
-/// Reads a portable grey map: binary (P5) of 8 or 16 bits, the latter most significant byte first, or plain
-/// (P2).
-/// @throws core::InputError naming the file and what is wrong: not a PGM, a bad size, truncated.
-GreyImage read_pgm(const std::string& path);
-
-/// Writes 16-bit binary. Values are rounded and clamped to 0 .. 65535. @throws core::InputError.
-void write_pgm(const std::string& path, const GreyImage& image);
+using core::GreyImage;
+using core::read_pgm;
+using core::write_pgm;
 
 /// The .pgm files of a directory (.PGM too) in natural order of their names, frame2 before frame10, and when
 /// each was taken.

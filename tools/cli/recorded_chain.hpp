@@ -46,8 +46,9 @@ class RecordedImageChain {
   explicit RecordedImageChain(const Configuration& configuration);
 
   void add(const core::VehicleState& state) { chain_.add(state); }
-  void add(const core::SonarImage& image) { chain_.add(image); }
+  void add(core::SonarImage image) { chain_.add(std::move(image)); }
   void finish() { chain_.finish(); }
+  void start_new_clock() { chain_.start_new_clock(); }
 
   const ChainOutput& output() const { return output_; }
   const tracking::IntakeCounts& counts() const { return chain_.counts(); }

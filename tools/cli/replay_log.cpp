@@ -6,6 +6,7 @@
 #include "lcmtypes/channels.hpp"
 #include "lcmtypes/inbox.hpp"
 #include "lcmtypes/log_reader.hpp"
+#include "tools/cli/image_keeper.hpp"
 #include "tools/cli/recorder.hpp"
 
 namespace lookout::tools {
@@ -26,8 +27,8 @@ template <class Chain>
 class LogReplay {
  public:
   LogReplay(const lcmtypes::Channels& channels, Chain& chain, const core::SonarParams& sensor,
-            LogFigures& figures)
-      : channels_(channels), chain_(chain), recorder_(sensor), figures_(figures) {
+            LogFigures& figures, const std::string& images_out)
+      : channels_(channels), chain_(chain), recorder_(sensor), images_(images_out), figures_(figures) {
     figures_.is_fixed = !figures_.survey.channels.contains(channels_.vehicle_state());
     inbox_.on<vehicle_state_t>(channels_.vehicle_state(),
                                [this](const core::VehicleState& state) { add(state); });
@@ -47,11 +48,13 @@ class LogReplay {
       recorder_.add(scan);
     });
   }
-  void take_images() {
-    inbox_.on<sonar_image_t>(channels_.sonar_image(), [this](const core::SonarImage& image) {
-      ++figures_.pings;
-      if (figures_.is_fixed) add(core::VehicleState{image.utime, {}, {0.0, 0.0}});
-      if constexpr (requires { chain_.add(image); }) chain_.add(image);
+  /// Images are kept, and tracked where `Chain` does that.
+  void take_images(bool are_tracked) {
+    inbox_.on<sonar_image_t>(channels_.sonar_image(), [this, are_tracked](core::SonarImage image) {
+      if (are_tracked) ++figures_.pings;
+      if (are_tracked && figures_.is_fixed) add(core::VehicleState{image.utime, {}, {0.0, 0.0}});
+      images_.add(image);
+      if constexpr (requires { chain_.add(std::move(image)); }) chain_.add(std::move(image));
     });
   }
 
@@ -64,6 +67,8 @@ class LogReplay {
     chain_.finish();
     TrackedRun run{recorder_.finish(), chain_.output(), chain_.counts()};
     run.recording.is_fixed = figures_.is_fixed;
+    run.recording.has_images = images_.close();
+    figures_.images_left_out = images_.left_out();
     figures_.refusals = inbox_.refusals();
     figures_.refused_truth = recorder_.refused_truth();
     return run;
@@ -78,25 +83,29 @@ class LogReplay {
   const lcmtypes::Channels& channels_;
   Chain& chain_;
   Recorder recorder_;
+  ImageKeeper images_;
   LogFigures& figures_;
   lcmtypes::Inbox inbox_;
 };
 
 /// Images are tracked; scans beside them are kept in the recording alone.
 TrackedRun replay_images(const std::vector<std::string>& files, const lcmtypes::Channels& channels,
-                         const Configuration& configuration, LogFigures& figures) {
+                         const Configuration& configuration, LogFigures& figures,
+                         const std::string& images_out) {
   RecordedImageChain chain(configuration);
-  LogReplay replay(channels, chain, configuration.sensor, figures);
+  LogReplay replay(channels, chain, configuration.sensor, figures, images_out);
   replay.take_scans(false);
-  replay.take_images();
+  replay.take_images(true);
   return replay.run(files);
 }
 
 TrackedRun replay_scans(const std::vector<std::string>& files, const lcmtypes::Channels& channels,
-                        const Configuration& configuration, std::uint64_t seed, LogFigures& figures) {
+                        const Configuration& configuration, std::uint64_t seed, LogFigures& figures,
+                        const std::string& images_out) {
   RecordedChain chain(configuration, seed);
-  LogReplay replay(channels, chain, configuration.sensor, figures);
+  LogReplay replay(channels, chain, configuration.sensor, figures, images_out);
   replay.take_scans(true);
+  replay.take_images(false);
   return replay.run(files);
 }
 
@@ -121,12 +130,13 @@ void require_pings(const std::string& file, const std::string& channel, const Lo
 }  // namespace
 
 TrackedRun replay_log(const std::vector<std::string>& files, const std::string& channel_prefix,
-                      const Configuration& configuration, std::uint64_t seed, LogFigures& figures) {
+                      const Configuration& configuration, std::uint64_t seed, LogFigures& figures,
+                      const std::string& images_out) {
   const lcmtypes::Channels channels(channel_prefix);
   figures.survey = survey_log(files);
   const bool images = tracks_images(configuration);
-  TrackedRun run = images ? replay_images(files, channels, configuration, figures)
-                          : replay_scans(files, channels, configuration, seed, figures);
+  TrackedRun run = images ? replay_images(files, channels, configuration, figures, images_out)
+                          : replay_scans(files, channels, configuration, seed, figures, images_out);
   require_pings(files.front(), images ? channels.sonar_image() : channels.sonar_scan(), figures);
   return run;
 }

@@ -16,16 +16,19 @@ struct LogFigures {
   std::vector<lcmtypes::Refusal> refusals;  ///< Messages on our channels that were not taken, by reason.
   std::int64_t pings = 0;                   ///< Scans, or images where these are tracked.
   std::int64_t refused_truth = 0;           ///< Lists of a time that had one already.
+  std::int64_t images_left_out = 0;         ///< Of the recording: they go back in time, or repeat it.
   bool is_fixed = false;                    ///< No vehicle state in it: a fixed sensor at the origin.
   std::vector<core::TrackList> tracks;      ///< The TRACKS in the log.
 };
 
 /// Takes the messages of a log's files through the chain in the order of the log, as a tracker live would
 /// have: its scans, or its images where the configuration's estimator tracks these.
+/// @param images_out recording directory that the images are written to; empty: none.
 /// @throws core::InputError where a file is no readable log, or holds nothing to track: what is there, and
 /// why it was refused.
 TrackedRun replay_log(const std::vector<std::string>& files, const std::string& channel_prefix,
-                      const Configuration& configuration, std::uint64_t seed, LogFigures& figures);
+                      const Configuration& configuration, std::uint64_t seed, LogFigures& figures,
+                      const std::string& images_out = {});
 
 /// The first time [us] at which two runs' tracks differ in anything that tracks.csv holds; nothing where they
 /// are equal as far as both go.

@@ -2,6 +2,7 @@
 
 #include "core/files/time_text.hpp"
 #include "core/input_error.hpp"
+#include "tools/cli/image_feed.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/replay_log.hpp"
@@ -53,6 +54,36 @@ TrackedRun replay_recording(const std::string& directory, Configuration& configu
   return run;
 }
 
+/// The images of a recording through the tracker of images.
+TrackedRun replay_images(const std::string& directory, Configuration& configuration) {
+  TrackedRun run;
+  run.recording = core::read_recording(directory, configuration.sensor);
+  const core::ImageReader images(directory);
+  for (const auto& note : run.recording.notes) log_warning(note);
+  std::vector<std::int64_t> times;
+  for (std::size_t i = 0; i < images.size(); ++i) times.push_back(images.utime(i));
+  if (run.recording.new_clocks.empty())
+    require_one_clock(times_of(run.recording.truth), times, directory + "/truth.csv");
+  if (run.recording.params) configuration.sensor = *run.recording.params;
+  RecordedImageChain chain(configuration);
+  feed_images(chain, run.recording, images);
+  chain.finish();
+  run.output = chain.output();
+  run.counts = chain.counts();
+  return run;
+}
+
+/// @throws core::InputError where the directory does not hold the pings that the configuration tracks.
+void require_pings(const std::string& directory, const Configuration& configuration) {
+  const bool images = core::holds_images(directory);
+  if (tracks_images(configuration) && !images)
+    throw core::InputError(directory +
+                           ": holds no images.csv, which --estimator h_pmht needs; expected a recording " +
+                           "of images, or an LCM log with SONAR_IMAGE");
+  if (!tracks_images(configuration) && images && !std::filesystem::exists(directory + "/scans.csv"))
+    throw core::InputError(directory + ": holds images and no scans.csv; expected --estimator h_pmht");
+}
+
 /// What a person should know of a log: what it holds, and every message that was not used.
 void tell(const LogFigures& figures, const TrackedRun& run, const std::string& path) {
   const LogSurvey& survey = figures.survey;
@@ -66,6 +97,9 @@ void tell(const LogFigures& figures, const TrackedRun& run, const std::string& p
   if (figures.refused_truth > 0)
     log_warning(path + ": " + std::to_string(figures.refused_truth) +
                 " lists of truth at a time that has one already");
+  if (figures.images_left_out > 0)
+    log_warning(path + ": " + std::to_string(figures.images_left_out) +
+                " images that go back in time or repeat it are not in the recording");
   if (figures.is_fixed) log_warning(path + ": no vehicle states: a fixed sensor at the origin");
   if (!run.recording.new_clocks.empty())
     log_warning(
@@ -85,7 +119,8 @@ void tell(const LogFigures& figures, const TrackedRun& run, const std::string& p
 TrackedRun replay_and_unpack_log(const std::vector<std::string>& files, const Configuration& configuration,
                                  const Options& options) {
   LogFigures figures;
-  TrackedRun run = replay_log(files, options.channel_prefix, configuration, options.seed, figures);
+  TrackedRun run =
+      replay_log(files, options.channel_prefix, configuration, options.seed, figures, options.out);
   tell(figures, run, files.size() == 1 ? files.front() : files.front() + " to " + files.back());
   core::write_recording(options.out, run.recording);
   if (!figures.tracks.empty()) core::write_tracks(options.out + "/logged_tracks.csv", figures.tracks);
@@ -122,14 +157,13 @@ int replay_command(const Options& options) {
   if (is_directory && inputs.size() > 1)
     throw core::InputError("replay: expected one recording directory, or LCM logs; got " +
                            std::to_string(inputs.size()) + " inputs");
-  if (is_directory && tracks_images(configuration))
-    throw core::InputError("--estimator: h_pmht needs raw images, which " + input +
-                           " does not hold; expected an LCM log with SONAR_IMAGE");
+  if (is_directory) require_pings(input, configuration);
   if (is_directory && std::filesystem::exists(options.out) && std::filesystem::equivalent(input, options.out))
     throw core::InputError("--out: is the recording itself, expected another directory");
   make_directory(options.out);
-  TrackedRun run = is_directory ? replay_recording(input, configuration, options.seed)
-                                : replay_and_unpack_log(log_files(inputs), configuration, options);
+  TrackedRun run = !is_directory ? replay_and_unpack_log(log_files(inputs), configuration, options)
+                   : tracks_images(configuration) ? replay_images(input, configuration)
+                                                  : replay_recording(input, configuration, options.seed);
   leave_out_truth_of_several_clocks(run);
   write_tracked_run(options.out, run, configuration, options);
   return 0;

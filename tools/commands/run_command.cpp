@@ -6,6 +6,7 @@
 #include "core/field_of_view.hpp"
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
+#include "tools/cli/image_keeper.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/progress_bar.hpp"
 #include "tools/cli/recorder.hpp"
@@ -53,8 +54,10 @@ void feed(RecordedImageChain& chain, const sonar_sim::SimulatedScan& simulated) 
 
 template <class Chain>
 TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
-                       const sonar_sim::PlatformPlan& seen, const Configuration& configuration) {
+                       const sonar_sim::PlatformPlan& seen, const Configuration& configuration,
+                       const std::string& directory) {
   TrackedRun run;
+  ImageKeeper images(directory);
   Recorder recorder(configuration.sensor);
   std::size_t done = 0;
   ProgressBar bar(static_cast<std::size_t>(num_scans(simulator.scene(), seen.sonar)));
@@ -64,6 +67,7 @@ TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
   while (const auto simulated = simulator.next()) {
     add(simulated->states_before);
     if (simulated->scan.sensor_id == *seen.sonar.sensor_id) {
+      if (simulated->image) images.add(*simulated->image);
       feed(chain, *simulated);
       recorder.add(simulated->scan);
       recorder.add(truth_in_view(*simulated, seen.sonar));
@@ -74,24 +78,27 @@ TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
   chain.finish();
   run.recording = recorder.finish();
   run.recording.params = configuration.sensor;
+  run.recording.has_images = images.close();
   run.output = chain.output();
   run.counts = chain.counts();
   return run;
 }
 
 /// @param seen the vehicle with one of its sonars alone.
+/// @param directory that its images are written to.
 TrackedRun run_sonar(const sonar_sim::Scene& scene, std::size_t index, const sonar_sim::PlatformPlan& seen,
-                     Configuration configuration, const Options& options) {
+                     const std::string& directory, const Options& options) {
+  Configuration configuration = load_configuration(options);
   sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
   configuration.sensor = told_params(scene, seen, options);
   if (!tracks_images(configuration)) {
     RecordedChain chain(configuration, options.seed);
-    return run_through(chain, simulator, seen, configuration);
+    return run_through(chain, simulator, seen, configuration, directory);
   }
   if (!simulator.platform().image)
     throw core::InputError(options.inputs[0] + ": has no `image` part, which --estimator h_pmht needs");
   RecordedImageChain chain(configuration);
-  return run_through(chain, simulator, seen, configuration);
+  return run_through(chain, simulator, seen, configuration, directory);
 }
 
 /// Runs and writes each sonar of a vehicle; of several, each its own directory, for a recording holds one.
@@ -108,7 +115,7 @@ void run_platform(const sonar_sim::Scene& scene, std::size_t index, const std::s
     const std::string own =
         sonars.size() == 1 ? directory : directory + "/sonar" + std::to_string(*seen.sonar.sensor_id);
     make_directory(own);
-    const TrackedRun run = run_sonar(scene, index, seen, configuration, options);
+    const TrackedRun run = run_sonar(scene, index, seen, own, options);
     core::write_recording(own, run.recording);
     write_tracked_run(own, run, configuration, options);
   }

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/files/csv.hpp"
+#include "core/files/image_recording.hpp"
 #include "core/input_error.hpp"
 #include "core/random.hpp"
 #include "tools/cli/configuration.hpp"
@@ -24,18 +25,25 @@ constexpr double kStandingScene = 0.2;
 /// Frames of a directory, prepared one by one for tracking.
 class FrameSource {
  public:
+  /// @param directory of PGM files, or a recording of sonar images: its bins are columns, its beams rows.
   FrameSource(const std::string& directory, const tracking::TbdParams& params, std::uint64_t seed)
-      : sequence_(list_pgm(directory)), params_(params), random_(seed, core::RandomStream::tracker) {
-    if (!sequence_.note.empty()) log_warning(directory + ": " + sequence_.note);
-    leave_out_a_cut_end();
+      : params_(params), random_(seed, core::RandomStream::tracker) {
+    if (core::holds_images(directory))
+      open_recording(directory);
+    else
+      open_sequence(directory);
     differencing_ = params.differencing == tracking::Differencing::on ||
                     (params.differencing == tracking::Differencing::automatic && shows_standing_scene());
   }
 
   bool differencing() const { return differencing_; }
-  std::size_t size() const { return sequence_.paths.size(); }
+  std::size_t size() const { return images_ ? images_->size() : sequence_.paths.size(); }
   std::size_t first() const { return differencing_ ? static_cast<std::size_t>(params_.frame_step) : 0; }
-  double index(std::size_t i) const { return static_cast<double>(sequence_.index[i]); }
+  /// When frame i was taken, since the first [frame periods].
+  double index(std::size_t i) const {
+    if (!images_) return static_cast<double>(sequence_.index[i]);
+    return core::seconds(images_->utime(i) - images_->utime(0)) / params_.frame_period;
+  }
 
   /// Frame i as intensities; i from first() on, in order.
   tracking::IntensityFrame prepared(std::size_t i) {
@@ -51,6 +59,32 @@ class FrameSource {
   }
 
  private:
+  void open_sequence(const std::string& directory) {
+    sequence_ = list_pgm(directory);
+    if (!sequence_.note.empty()) log_warning(directory + ": " + sequence_.note);
+    leave_out_a_cut_end();
+  }
+
+  void open_recording(const std::string& directory) {
+    directory_ = directory;
+    images_.emplace(directory);
+    if (images_->size() == 0) throw core::InputError(directory + "/images.csv: holds no image");
+    for (std::size_t i = 1; i < images_->size(); ++i)
+      if (images_->utime(i) <= images_->utime(i - 1))
+        throw core::InputError(directory +
+                               "/images.csv: several sensors or clocks; expected the images of one");
+  }
+
+  /// Frame i from its file.
+  GreyImage load(std::size_t i) {
+    if (!images_) return read_pgm(sequence_.paths[i]);
+    core::SonarImage image = images_->read(i);
+    return {image.num_bins, image.num_beams(), std::move(image.intensity)};
+  }
+  std::string name(std::size_t i) const {
+    return images_ ? directory_ + "/images.csv: image " + std::to_string(i) : sequence_.paths[i];
+  }
+
   /// The last frame of a sequence whose writer was stopped is often cut off: the ones before it are whole.
   void leave_out_a_cut_end() {
     try {
@@ -74,8 +108,9 @@ class FrameSource {
   /// Frame i from memory or file; the last frame_step + 1 are kept.
   const GreyImage& image(std::size_t i) {
     while (first_kept_ + kept_.size() <= i) {
-      kept_.push_back(read_pgm(sequence_.paths[first_kept_ + kept_.size()]));
-      require_same_size(kept_.back(), sequence_.paths[first_kept_ + kept_.size() - 1]);
+      const std::size_t next = first_kept_ + kept_.size();
+      kept_.push_back(load(next));
+      require_same_size(kept_.back(), name(next));
       if (kept_.size() > static_cast<std::size_t>(params_.frame_step) + 1) kept_.pop_front(), ++first_kept_;
     }
     return kept_[i - first_kept_];
@@ -90,6 +125,8 @@ class FrameSource {
   }
 
   PgmSequence sequence_;
+  std::string directory_;
+  std::optional<core::ImageReader> images_;  ///< In place of the sequence.
   tracking::TbdParams params_;
   core::Random random_;
   bool differencing_ = false;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/files/image_recording.hpp"
 #include "core/input_error.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -79,6 +80,22 @@ TEST(Recording, WithoutVehicleTheSensorStandsAtTheOrigin) {
   EXPECT_EQ(read.vehicle[2].T_earth_body.north, 0.0);
   EXPECT_EQ(read.notes,
             std::vector<std::string>{folder.path() + ": no vehicle.csv: a fixed sensor at the origin"});
+}
+
+TEST(Recording, OfImagesAloneHasNoScans) {
+  const tests::TemporaryDirectory folder;
+  write_recording(folder.path(), small_recording());
+  ImageWriter(folder.path()).close();
+  Recording images = small_recording();
+  images.scans.clear();
+  images.has_images = true;
+  write_recording(folder.path(), images);
+  const Recording read = read_recording(folder.path());
+  EXPECT_TRUE(read.has_images);
+  EXPECT_EQ(read.scans.size(), 0u);
+  EXPECT_EQ(read.vehicle.size(), 3u);
+  write_recording(folder.path(), small_recording());
+  EXPECT_FALSE(read_recording(folder.path()).has_images);  // Of another recording, they do not stay.
 }
 
 TEST(Recording, TracksReadBack) {

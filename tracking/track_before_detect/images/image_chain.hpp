@@ -30,6 +30,8 @@ class ImageChain {
   /// Takes an image; tracked at once where its pose is known.
   void add(core::SonarImage image) { intake_.add(std::move(image)); }
   void finish() { intake_.finish(); }  ///< There is no more data.
+  /// What comes now is on another clock, as who keeps a recording knows.
+  void start_new_clock() { intake_.start_new_clock(); }
 
   const IntakeCounts& counts() const { return intake_.counts(); }  ///< Of the intake, since the start.
   /// Of the data that was believed [us]; 0 before any.

@@ -1,0 +1,119 @@
+#include "core/files/grey_image.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "core/input_error.hpp"
+#include "core/sonar_limits.hpp"
+
+namespace lookout::core {
+namespace {
+
+constexpr int kLargestSide = 1 << 15;
+constexpr int kLargestValue = 65535;
+constexpr std::size_t kMostPixels = SonarLimits::kMaxPixels;
+
+/// Reads a PGM held in memory.
+class PgmReader {
+ public:
+  PgmReader(const std::string& path, const std::string& bytes) : path_(path), bytes_(bytes) {}
+
+  GreyImage read() {
+    const std::string magic = bytes_.substr(0, 2);
+    if (magic != "P5" && magic != "P2") fail("is not a PGM file, expected one that begins with P5 or P2");
+    at_ = 2;
+    GreyImage image;
+    image.columns = number("width", 1, kLargestSide);
+    image.rows = number("height", 1, kLargestSide);
+    largest_ = number("maximum value", 1, kLargestValue);
+    const auto size = static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows);
+    if (size > kMostPixels)
+      fail("has " + std::to_string(size) + " pixels, expected at most " + std::to_string(kMostPixels));
+    magic == "P5" ? read_binary(size, image) : read_plain(size, image);
+    return image;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& message) const { throw InputError(path_ + ": " + message); }
+
+  void skip_space_and_comments() {
+    while (at_ < bytes_.size() &&
+           (std::isspace(static_cast<unsigned char>(bytes_[at_])) || bytes_[at_] == '#')) {
+      if (bytes_[at_] == '#')
+        while (at_ < bytes_.size() && bytes_[at_] != '\n') ++at_;
+      else
+        ++at_;
+    }
+  }
+
+  int number(const char* what, int least, int most) {
+    skip_space_and_comments();
+    long value = -1;
+    while (at_ < bytes_.size() && std::isdigit(static_cast<unsigned char>(bytes_[at_])) &&
+           value <= kLargestValue)
+      value = std::max(0L, value) * 10 + (bytes_[at_++] - '0');
+    if (value < least || value > most)
+      fail(std::string("has a bad ") + what + ", expected a number of " + std::to_string(least) + " to " +
+           std::to_string(most));
+    return static_cast<int>(value);
+  }
+
+  void read_binary(std::size_t size, GreyImage& image) {
+    ++at_;  // one white space ends the header
+    const std::size_t width = largest_ > 255 ? 2 : 1;
+    const std::size_t held = bytes_.size() > at_ ? (bytes_.size() - at_) / width : 0;
+    if (held < size)
+      fail("is truncated: holds " + std::to_string(held) + " of " + std::to_string(size) + " pixels");
+    image.pixels.resize(size);
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto byte = [&](std::size_t k) {
+        return static_cast<unsigned char>(bytes_[at_ + i * width + k]);
+      };
+      image.pixels[i] = width == 2 ? byte(0) * 256.0 + byte(1) : byte(0);
+    }
+  }
+
+  void read_plain(std::size_t size, GreyImage& image) {
+    for (std::size_t i = 0; i < size; ++i) {
+      skip_space_and_comments();
+      if (at_ >= bytes_.size())
+        fail("is truncated: holds " + std::to_string(i) + " of " + std::to_string(size) + " pixels");
+      image.pixels.push_back(number("pixel", 0, largest_));
+    }
+  }
+
+  const std::string& path_;
+  const std::string& bytes_;
+  std::size_t at_ = 0;
+  int largest_ = 0;
+};
+
+}  // namespace
+
+GreyImage read_pgm(const std::string& path) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || !std::filesystem::is_regular_file(path, ignored)) throw InputError(path + ": cannot be read");
+  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  return PgmReader(path, bytes).read();
+}
+
+void write_pgm(const std::string& path, const GreyImage& image) {
+  std::string bytes = "P5\n" + std::to_string(image.columns) + " " + std::to_string(image.rows) + "\n" +
+                      std::to_string(kLargestValue) + "\n";
+  bytes.reserve(bytes.size() + 2 * image.pixels.size());
+  for (const double pixel : image.pixels) {
+    const int value = static_cast<int>(std::lround(std::clamp(pixel, 0.0, double{kLargestValue})));
+    bytes += static_cast<char>(value >> 8);
+    bytes += static_cast<char>(value & 255);
+  }
+  std::ofstream file(path, std::ios::binary);
+  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!file.flush()) throw InputError(path + ": cannot be written");
+}
+
+}  // namespace lookout::core

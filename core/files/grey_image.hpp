@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace lookout::core {
+
+/// A grey image as read from a file.
+struct GreyImage {
+  int columns = 0;             ///< Pixels of a row, > 0.
+  int rows = 0;                ///< Pixels of a column, > 0.
+  std::vector<double> pixels;  ///< columns * rows grey levels, row by row.
+};
+
+/// Reads a portable grey map: binary (P5) of 8 or 16 bits, the latter most significant byte first, or plain
+/// (P2), of at most SonarLimits::kMaxPixels.
+/// @throws InputError naming the file and what is wrong: not a PGM, a bad size, truncated.
+GreyImage read_pgm(const std::string& path);
+
+/// Writes 16-bit binary. Values are rounded and clamped to 0 .. 65535. @throws InputError.
+void write_pgm(const std::string& path, const GreyImage& image);
+
+}  // namespace lookout::core

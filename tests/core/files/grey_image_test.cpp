@@ -1,0 +1,72 @@
+#include "core/files/grey_image.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "core/input_error.hpp"
+#include "tests/support/temporary_directory.hpp"
+
+namespace lookout::core {
+namespace {
+
+void write(const std::string& path, const std::string& bytes) {
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+std::string error_of(const std::string& path) {
+  try {
+    read_pgm(path);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GreyImage, RoundTripOfSixteenBits) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = directory.path() + "/a.pgm";
+  write_pgm(path, {3, 2, {0, 1, 255, 256, 65535, 70000}});
+  const GreyImage image = read_pgm(path);
+  EXPECT_EQ(image.columns, 3);
+  EXPECT_EQ(image.rows, 2);
+  EXPECT_EQ(image.pixels,
+            (std::vector<double>{0, 1, 255, 256, 65535, 65535}));  // most significant byte first
+}
+
+TEST(GreyImage, ReadsEightBitsPlainTextAndComments) {
+  const tests::TemporaryDirectory directory;
+  write(directory.path() + "/a.pgm", "P5 # made by hand\n2 1\n255\n\x05\x07");
+  EXPECT_EQ(read_pgm(directory.path() + "/a.pgm").pixels, (std::vector<double>{5, 7}));
+  write(directory.path() + "/b.pgm", "P2\n2 1\n300\n12 299\n");
+  EXPECT_EQ(read_pgm(directory.path() + "/b.pgm").pixels, (std::vector<double>{12, 299}));
+}
+
+TEST(GreyImage, ATruncatedFileSaysHowMuchItHolds) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = directory.path() + "/a.pgm";
+  write(path, "P5\n4 4\n65535\n123456");
+  EXPECT_EQ(error_of(path), path + ": is truncated: holds 3 of 16 pixels");
+}
+
+TEST(GreyImage, RefusesOtherFilesAndBadHeaders) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = directory.path() + "/a.pgm";
+  write(path, "hello");
+  EXPECT_NE(error_of(path).find("is not a PGM"), std::string::npos);
+  write(path, "P5\n0 4\n255\n");
+  EXPECT_NE(error_of(path).find("bad width"), std::string::npos);
+  write(path, "P5\n4 4\n99999999999999\n");
+  EXPECT_NE(error_of(path).find("bad maximum value"), std::string::npos);
+  EXPECT_NE(error_of(directory.path() + "/none.pgm").find("cannot be read"), std::string::npos);
+}
+
+TEST(GreyImage, TooManyPixelsAreRefused) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = directory.path() + "/a.pgm";
+  write(path, "P5\n30000 30000\n255\n");
+  EXPECT_NE(error_of(path).find("has 900000000 pixels"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lookout::core
