@@ -1,14 +1,7 @@
 #include "lcmtypes/log_reader.hpp"
 
-#include <fcntl.h>
-#include <sys/mman.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <filesystem>
-
-#include "core/input_error.hpp"
 
 namespace lookout::lcmtypes {
 namespace {
@@ -59,28 +52,9 @@ std::optional<std::size_t> end_of_event(Bytes file, std::size_t at) {
   return end;
 }
 
-/// @throws core::InputError where the file cannot be read.
-Bytes map_file(const std::string& path) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw core::InputError(path + ": is not a file; expected an LCM log");
-  const auto size = static_cast<std::size_t>(std::filesystem::file_size(path, error));
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (error || descriptor < 0) throw core::InputError(path + ": cannot be read; expected an LCM log");
-  void* memory = size == 0 ? nullptr : mmap(nullptr, size, PROT_READ, MAP_PRIVATE, descriptor, 0);
-  close(descriptor);
-  if (memory == MAP_FAILED) throw core::InputError(path + ": cannot be read; expected an LCM log");
-  return {static_cast<const std::uint8_t*>(memory), size};
-}
-
 }  // namespace
 
-LogReader::LogReader(const std::string& path) : file_(map_file(path)) {}
-
-LogReader::~LogReader() {
-  // The mapping was made for reading alone, which the signature of munmap does not know.
-  if (!file_.empty()) munmap(const_cast<std::uint8_t*>(file_.data()), file_.size());
-}
+LogReader::LogReader(const std::string& path) : mapped_(path, "an LCM log"), file_(mapped_.bytes()) {}
 
 std::optional<LoggedMessage> LogReader::next() {
   const std::size_t begin = position_;

@@ -5,6 +5,8 @@
 #include <span>
 #include <string>
 
+#include "core/files/mapped_file.hpp"
+
 namespace lookout::lcmtypes {
 
 /// One message of an LCM log; its bytes are valid as long as the reader.
@@ -22,9 +24,6 @@ class LogReader {
  public:
   /// @throws core::InputError where the file cannot be read.
   explicit LogReader(const std::string& path);
-  ~LogReader();
-  LogReader(const LogReader&) = delete;
-  LogReader& operator=(const LogReader&) = delete;
 
   std::optional<LoggedMessage> next();  ///< Nothing at the end.
 
@@ -34,7 +33,8 @@ class LogReader {
   std::int64_t size() const { return static_cast<std::int64_t>(file_.size()); }  ///< Of the file [bytes].
 
  private:
-  std::span<const std::uint8_t> file_;  ///< Mapped into memory.
+  core::MappedFile mapped_;
+  std::span<const std::uint8_t> file_;  ///< Its bytes.
   std::size_t position_ = 0;
   std::int64_t messages_ = 0;
   std::int64_t damages_ = 0;

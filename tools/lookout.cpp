@@ -205,6 +205,16 @@ void declare_initiate(CLI::App& app, Options& options) {
   add_plugin(app);
 }
 
+void declare_import(CLI::App& app, Options& options) {
+  app.add_option("FORMAT", options.method, one_of("Format", import_formats()))->required();
+  app.add_option("FILE", options.inputs,
+                 "oculus: packet streams in order; pgm: FOLDER [GEOMETRY.yaml]; autoferry: DETECTIONS.json "
+                 "GROUND_TRUTH.json")
+      ->expected(1, -1)
+      ->required();
+  add_out(app, options);
+}
+
 void declare_experiment(CLI::App& app, Options& options) {
   app.add_option("NAME", options.method, experiment_choices());
   add_out(app, options);
@@ -277,6 +287,8 @@ constexpr Command kCommands[] = {
     {"initiate", "Starts tracks on recorded points with one initiator.",
      "lookout initiate vct points.csv --out tracks.csv --config radar.yaml", declare_initiate,
      initiate_command},
+    {"import", "Makes a recording of a vendor's files.", "lookout import oculus dive.raw --out out/dive",
+     declare_import, import_command},
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
      "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
      experiment_command},

@@ -19,8 +19,10 @@
 #include <sstream>
 #include <string_view>
 
+#include "core/files/image_recording.hpp"
 #include "core/input_error.hpp"
 #include "tests/support/temporary_directory.hpp"
+#include "tests/tools/import/oculus_bytes.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace lookout::tests {
@@ -220,6 +222,71 @@ Format tracks_format() {
           }};
 }
 
+/// A recording of two images, tracked.
+Format sonar_image_format() {
+  const TemporaryDirectory folder;
+  core::SonarImage image;
+  image.bearings = {-0.2, -0.1, 0.0, 0.15};
+  image.range_step = 0.5;
+  image.num_bins = 12;
+  core::ImageWriter writer(folder.path());
+  for (image.utime = 0; image.utime < 3; ++image.utime) {
+    image.intensity.assign(48, 1.0 + static_cast<double>(image.utime));
+    writer.add(image);
+  }
+  writer.close();
+  Format format;
+  for (const char* name :
+       {"images.csv", "bearings.csv", "images/000000.pgm", "images/000001.pgm", "images/000002.pgm"})
+    format.files[name] = read(folder.file(name)), format.damaged.emplace_back(name);
+  format.command = [](const std::string& in) {
+    tools::Options options = options_in(in, "");
+    options.tracker.clear();
+    options.estimator = "h_pmht";
+    return tools::replay_command(options);
+  };
+  return format;
+}
+
+/// An import of files in the folder.
+Format import_format(const std::string& name, const std::map<std::string, std::string>& files,
+                     const std::vector<std::string>& inputs) {
+  Format format{files, {}, {}};
+  for (const auto& [file, text] : files) format.damaged.push_back(file);
+  format.command = [name, inputs](const std::string& folder) {
+    tools::Options options;
+    options.method = name;
+    for (const auto& input : inputs) options.inputs.push_back(folder + "/" + input);
+    options.out = folder + "/out";
+    return tools::import_command(options);
+  };
+  return format;
+}
+
+Format oculus_format() {
+  OculusSpec second;
+  second.version = 2;
+  return import_format(
+      "oculus", {{"dive.raw", oculus_packet({}) + oculus_packet(second) + oculus_packet({})}}, {"dive.raw"});
+}
+
+Format pgm_format() {
+  return import_format("pgm",
+                       {{"geometry.yaml",
+                         "beam_bearings_deg: [-5, 0, 6]\nmin_range: 1\nmax_range: 4\nping_period: 0.1\n"
+                         "rows: beams\nranges_from: near\nmount_x: 1.0\n"},
+                        {"a1.pgm", "P5\n4 3\n255\nabcdefghijkl"},
+                        {"a2.pgm", "P2\n4 3\n99\n1 2 3 4 5 6 7 8 9 10 11 12\n"}},
+                       {"."});
+}
+
+Format autoferry_format() {
+  const std::string cases = kSource + "/tests/data/cases/autoferry_forms/";
+  return import_format("autoferry",
+                       {{"d.json", read(cases + "empty_d.json")}, {"g.json", read(cases + "ok_g.json")}},
+                       {"d.json", "g.json"});
+}
+
 /// What the program does with a command: its exit status, its words on stderr.
 int as_the_program(const Format& format, const std::string& folder) {
   try {
@@ -276,7 +343,10 @@ int test(const std::string& name, const Format& format, int mutations, unsigned 
   std::array<int, 3> ended{};
   int faults = 0;
   for (int i = 0; i < mutations; ++i) {
-    for (const auto& [file, text] : format.files) folder.write(file, text);
+    for (const auto& [file, text] : format.files) {
+      std::filesystem::create_directories(std::filesystem::path(folder.file(file)).parent_path());
+      folder.write(file, text);
+    }
     const std::string& victim = format.damaged[mutate.below(format.damaged.size())];
     const std::string damaged = mutate(format.files.at(victim));
     write(folder.file(victim), damaged);
@@ -300,9 +370,16 @@ int test(const std::string& name, const Format& format, int mutations, unsigned 
 
 int main(int argc, char** argv) {
   using namespace lookout::tests;
-  const std::map<std::string, Format (*)()> formats{
-      {"recording", recording_format}, {"scene", scene_format},   {"configuration", configuration_format},
-      {"images", image_format},        {"points", points_format}, {"tracks", tracks_format}};
+  const std::map<std::string, Format (*)()> formats{{"recording", recording_format},
+                                                    {"scene", scene_format},
+                                                    {"configuration", configuration_format},
+                                                    {"images", image_format},
+                                                    {"points", points_format},
+                                                    {"tracks", tracks_format},
+                                                    {"sonar_images", sonar_image_format},
+                                                    {"oculus", oculus_format},
+                                                    {"pgm", pgm_format},
+                                                    {"autoferry", autoferry_format}};
   if (argc < 2 || !formats.contains(argv[1])) return std::cerr << "expected a format\n", 2;
   const int mutations = argc > 2 ? std::atoi(argv[2]) : 3000;
   const unsigned seed = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 1;

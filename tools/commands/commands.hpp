@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "tools/cli/options.hpp"
 
 /// One function a command, each in a file of its own. They return the exit status, throw core::InputError on
@@ -16,8 +19,12 @@ int ospa_command(const Options& options);
 int tbd_command(const Options& options);
 int experiment_command(const Options& options);
 int initiate_command(const Options& options);
+int import_command(const Options& options);
 int watch_command(const Options& options);
 int status_command(const Options& options);
 int plot_command(const Options& options);
+
+/// Names of the formats that `import_command` takes.
+std::vector<std::string> import_formats();
 
 }  // namespace lookout::tools

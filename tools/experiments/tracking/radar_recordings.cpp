@@ -103,7 +103,7 @@ class Recordings : public Experiment {
   std::string missing_input() const override {
     if (std::filesystem::is_directory(data_directory())) return {};
     return "the environment variable LOOKOUT_DATA names no folder that holds autoferry/ (see "
-           "tools/import_autoferry.py)";
+           "lookout import autoferry)";
   }
 
   std::vector<Cell> cells() const override {
