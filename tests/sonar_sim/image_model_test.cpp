@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -20,6 +21,22 @@ TEST(ImageModel, TheBeamPatternIsOneOnAxisAndZeroAtItsNull) {
 TEST(ImageModel, ThePulseFallsToItsShareAtOneSigma) {
   const ImagePlan plan;
   EXPECT_NEAR(pulse_response(plan, plan.pulse_sigma), std::exp(-0.5), 1e-12);
+}
+
+TEST(ImageModel, ATaperKeepsTheNullAndLowersTheSideLobes) {
+  ImagePlan plan;
+  plan.beam_null = 1.0;
+  const auto side_lobe_db = [&plan] {
+    double largest = 0.0;
+    for (int k = 101; k < 400; ++k) largest = std::max(largest, std::abs(beam_response(plan, 0.01 * k)));
+    return 20.0 * std::log10(largest);
+  };
+  EXPECT_NEAR(side_lobe_db(), -13.26, 0.05);  // Of a uniform aperture,
+  plan.tapered = true;
+  EXPECT_NEAR(side_lobe_db(), -31.47, 0.05);  // and of a Hann taper.
+  EXPECT_NEAR(beam_response(plan, 1.0), 0.0, 1e-12);
+  EXPECT_NEAR(beam_response(plan, 0.5), 0.5, 1e-12);  // The limit at the pole.
+  EXPECT_EQ(beam_response(plan, 0.0), 1.0);
 }
 
 TEST(ImageModel, AnEchoPeaksInItsCellAtItsRatio) {
