@@ -102,12 +102,12 @@ GreyImage read_pgm(const std::string& path) {
   return PgmReader(path, bytes).read();
 }
 
-void write_pgm(const std::string& path, const GreyImage& image) {
+void write_pgm(const std::string& path, const GreyImage& image, int white) {
   std::string bytes = "P5\n" + std::to_string(image.columns) + " " + std::to_string(image.rows) + "\n" +
-                      std::to_string(kLargestValue) + "\n";
+                      std::to_string(white) + "\n";
   bytes.reserve(bytes.size() + 2 * image.pixels.size());
   for (const double pixel : image.pixels) {
-    const int value = static_cast<int>(std::lround(std::clamp(pixel, 0.0, double{kLargestValue})));
+    const int value = static_cast<int>(std::lround(std::clamp(pixel, 0.0, static_cast<double>(white))));
     bytes += static_cast<char>(value >> 8);
     bytes += static_cast<char>(value & 255);
   }

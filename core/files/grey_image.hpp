@@ -18,7 +18,9 @@ struct GreyImage {
 /// @throws InputError naming the file and what is wrong: not a PGM, a bad size, truncated.
 GreyImage read_pgm(const std::string& path);
 
-/// Writes 16-bit binary. Values are rounded and clamped to 0 .. 65535. @throws InputError.
-void write_pgm(const std::string& path, const GreyImage& image);
+/// Writes 16-bit binary. Values are rounded and clamped to 0 .. 65535.
+/// @param white the value that a viewer shows as white, from 256 to 65535; larger ones are clamped to it.
+/// @throws InputError where the disk refuses.
+void write_pgm(const std::string& path, const GreyImage& image, int white = 65535);
 
 }  // namespace lookout::core

@@ -64,6 +64,14 @@ GreyImage as_pixels(const SonarImage& image, const PixelLaw& law) {
   return grey;
 }
 
+/// The strongest pixel is white to a viewer; below 257 levels the file would have one byte a pixel.
+int white_of(const GreyImage& pixels) {
+  constexpr double kLeast = 256.0;
+  double largest = kLeast;
+  for (const double pixel : pixels.pixels) largest = std::max(largest, pixel);
+  return static_cast<int>(std::min(largest, kLargestPixel));
+}
+
 void write_tables(const std::string& path, const std::map<std::vector<double>, std::size_t>& tables) {
   std::vector<const std::vector<double>*> in_order(tables.size());
   for (const auto& [bearings, number] : tables) in_order[number] = &bearings;
@@ -210,7 +218,8 @@ void ImageWriter::add(const SonarImage& image, int clock) {
     throw std::length_error("image: beams x bins disagrees with the intensities");
   const PixelLaw law = pixel_law(image);
   const std::string file = std::string(kFolder) + "/" + file_name(count_++);
-  write_pgm(path_in(directory_, file), as_pixels(image, law));
+  const GreyImage pixels = as_pixels(image, law);
+  write_pgm(path_in(directory_, file), pixels, white_of(pixels));
   const std::size_t table = tables_.try_emplace(image.bearings, tables_.size()).first->second;
   csv_.time(image.utime).integer(clock).integer(image.sensor_id).integer(image.sequence).text(file);
   csv_.integer(static_cast<std::int64_t>(table)).number(image.first_range).number(image.range_step);

@@ -66,6 +66,19 @@ def check_run(run):
     check(result.returncode == 0 and is_picture(run / "film.gif"), "an animation on request")
 
 
+def check_images(folder):
+    (folder / "in").mkdir()
+    (folder / "in" / "geometry.yaml").write_text("beam_bearings_deg: [-20, -5, 0, 12]\nrange_step: 0.5\nping_period: 0.1\n")
+    for k in range(8):
+        (folder / "in" / f"ping{k}.pgm").write_bytes(b"P5\n6 4\n255\n" + bytes(20 + 10 * k + i for i in range(24)))
+    check(lookout("import", "pgm", folder / "in", "--out", folder / "images").returncode == 0, "pictures are imported")
+    result = lookout("plot", folder / "images", "--animate")
+    check(result.returncode == 0, f"images alone are drawn: {result.stderr.strip()}")
+    check(all(is_picture(folder / "images" / f"lookout{end}") for end in MAGIC), "as picture and animation")
+    (folder / "images" / "bearings.csv").write_text("table,beam\n")
+    check(lookout("plot", folder / "images").returncode == 1, "what cannot be drawn is told")
+
+
 def check_log(scene, folder):
     log = folder / "a.lcmlog"
     lookout("sim", scene, "--lcm-url", f"file://{log}?mode=w", "--speed", "max")
@@ -115,6 +128,7 @@ def main():
         check_usage(run)
         check_run(run)
         check_log(scene, folder)
+        check_images(folder)
         check_parts(module, run, folder)
         check_oddities(module, folder)
     finally:

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/files/csv.hpp"
+#include "core/files/image_recording.hpp"
 #include "core/files/recording.hpp"
 #include "core/input_error.hpp"
 #include "tools/cli/log.hpp"
@@ -75,7 +76,23 @@ void require_something_to_draw(const std::string& directory) {
     if (fs::is_regular_file(fs::path(directory) / name)) return;
   }
   throw core::InputError(
-      directory + ": nothing to draw; expected scans.csv, vehicle.csv, truth.csv, tracks.csv or ospa.csv");
+      directory +
+      ": nothing to draw; expected images.csv, scans.csv, vehicle.csv, truth.csv, tracks.csv or ospa.csv");
+}
+
+/// A recording of images without anything that was made of them.
+bool shows_images_alone(const std::string& directory) {
+  return core::holds_images(directory) && !fs::exists(directory + "/scans.csv") &&
+         !fs::exists(directory + "/tracks.csv");
+}
+
+/// Draws with a script of the tools directory. @return the exit status.
+int draw(const std::string& script, std::vector<std::string> arguments,
+         const std::vector<std::string>& files) {
+  arguments.insert(arguments.end(), files.begin(), files.end());
+  if (!run_plot_script(script, arguments)) return 1;
+  for (const auto& file : files) log_info("plot: wrote " + file);
+  return 0;
 }
 
 }  // namespace
@@ -86,18 +103,18 @@ int plot_command(const Options& options) {
   if (!is_directory && !fs::is_regular_file(input))
     throw core::InputError(input +
                            ": is not there; expected a directory of recordings or tracks, or an LCM log");
-  if (is_directory) require_something_to_draw(input);
+  const bool images_alone = is_directory && shows_images_alone(input);
+  if (is_directory && !images_alone) require_something_to_draw(input);
   const auto files = outputs(options, fs::path(input), is_directory);
+  if (images_alone) return draw("plot_images.py", {input}, files);
   const TemporaryDirectory scratch("lookout_plot_");
   const std::string directory = is_directory ? input : scratch.path();
   if (!is_directory) write_log_tables(input, options.channel_prefix, directory);
   score(directory, options, scratch.file("scores.csv"));
-  std::vector<std::string> arguments{directory, "--scores", scratch.file("scores.csv"), "--title",
-                                     fs::path(input).lexically_normal().string()};
-  arguments.insert(arguments.end(), files.begin(), files.end());
-  if (!run_plot_script("plot_run.py", arguments)) return 1;
-  for (const auto& file : files) log_info("plot: wrote " + file);
-  return 0;
+  return draw("plot_run.py",
+              {directory, "--scores", scratch.file("scores.csv"), "--title",
+               fs::path(input).lexically_normal().string()},
+              files);
 }
 
 }  // namespace lookout::tools

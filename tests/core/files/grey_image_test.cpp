@@ -34,6 +34,16 @@ TEST(GreyImage, RoundTripOfSixteenBits) {
             (std::vector<double>{0, 1, 255, 256, 65535, 65535}));  // most significant byte first
 }
 
+TEST(GreyImage, AnotherWhiteLeavesTheValues) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = directory.file("a.pgm");
+  write_pgm(path, {2, 1, {7, 300}}, 300);
+  EXPECT_EQ(read_pgm(path).pixels, (std::vector<double>{7, 300}));
+  std::string magic, columns, rows, white;
+  std::ifstream(path) >> magic >> columns >> rows >> white;
+  EXPECT_EQ(white, "300");
+}
+
 TEST(GreyImage, ReadsEightBitsPlainTextAndComments) {
   const tests::TemporaryDirectory directory;
   write(directory.path() + "/a.pgm", "P5 # made by hand\n2 1\n255\n\x05\x07");
