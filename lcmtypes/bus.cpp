@@ -15,6 +15,7 @@
 #include <string_view>
 
 #include "core/input_error.hpp"
+#include "lcmtypes/channels.hpp"
 #include "lcmtypes/receive_buffer.hpp"
 
 namespace lookout::lcmtypes {
@@ -105,7 +106,7 @@ bool Bus::may_come_up(const std::string& url) {
 void Bus::subscribe_bytes(const std::string& channel,
                           std::function<void(std::span<const std::uint8_t>)> handler) {
   inbox_.on_bytes(channel, std::move(handler));
-  listen(channel, kQueueCapacity);
+  listen(channel, channel.ends_with(Channels().sonar_image()) ? kImageQueueCapacity : kQueueCapacity);
 }
 
 void Bus::listen(const std::string& channel, int queue_capacity) {

@@ -69,7 +69,7 @@ def check_run(run):
 def check_images(folder):
     (folder / "in").mkdir()
     (folder / "in" / "geometry.yaml").write_text("beam_bearings_deg: [-20, -5, 0, 12]\nrange_step: 0.5\nping_period: 0.1\n")
-    for k in range(8):
+    for k in range(3):
         (folder / "in" / f"ping{k}.pgm").write_bytes(b"P5\n6 4\n255\n" + bytes(20 + 10 * k + i for i in range(24)))
     check(lookout("import", "pgm", folder / "in", "--out", folder / "images").returncode == 0, "pictures are imported")
     result = lookout("plot", folder / "images", "--animate")
