@@ -8,7 +8,7 @@
 namespace lookout::csht {
 namespace {
 
-constexpr double kMostCells = 16e6;  // Seven spaces of them are kept: a quarter of a gigabyte.
+constexpr double kMostCells = 16e6;  // Seven spaces of them are kept: half a gigabyte.
 
 }  // namespace
 

@@ -46,13 +46,8 @@ void over_cells(int column, int length, int columns, Block block, Cell cell) {
   }
 }
 
-void add_to(std::int16_t& cell, int votes) {
-  cell = static_cast<std::int16_t>(cell + votes);
-}
-
-void add_block(std::int16_t* __restrict cells, const std::int16_t* __restrict values, std::int16_t sign) {
-  for (int k = 0; k < kLanes; ++k)
-    cells[k] = static_cast<std::int16_t>(cells[k] + static_cast<std::int16_t>(sign * values[k]));
+void add_block(std::int32_t* __restrict cells, const std::int16_t* __restrict values, std::int32_t sign) {
+  for (int k = 0; k < kLanes; ++k) cells[k] += sign * values[k];
 }
 
 void raise_block(std::int16_t* __restrict cells, const std::int16_t* __restrict values) {
@@ -60,7 +55,7 @@ void raise_block(std::int16_t* __restrict cells, const std::int16_t* __restrict 
 }
 
 /// Moves the layer's votes to the matrix. A cell under two footprints is moved once: its layer is empty then.
-void transfer_block(std::int16_t* __restrict cells, std::int16_t* __restrict layer, std::int16_t sign) {
+void transfer_block(std::int32_t* __restrict cells, std::int16_t* __restrict layer, std::int32_t sign) {
   add_block(cells, layer, sign);
   std::fill_n(layer, kLanes, std::int16_t{0});
 }
@@ -82,7 +77,7 @@ HoughSpace::HoughSpace(const HoughGrid& grid, const VoteParams& params, double r
 }
 
 void HoughSpace::clear() {
-  std::fill(votes_.begin(), votes_.end(), std::int16_t{0});
+  std::fill(votes_.begin(), votes_.end(), 0);
 }
 
 void HoughSpace::vote(std::span<const LineSample> samples, int sign) {
@@ -106,18 +101,18 @@ void HoughSpace::vote_scan(std::span<const LineSample> samples, int sign) {
   for (int row = 0; row < rows_; ++row) {
     places_.clear();
     for (const auto& voter : voters_) places_.push_back(place_of(voter, row));
-    vote_row(votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_, static_cast<std::int16_t>(sign));
+    vote_row(votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_, sign);
   }
 }
 
 /// One scan's votes in one row: straight in where the scan has a single sample, else the maximum first.
-void HoughSpace::vote_row(std::int16_t* votes, std::int16_t sign) {
+void HoughSpace::vote_row(std::int32_t* votes, std::int32_t sign) {
   if (places_.size() == 1) {
     const Place& place = places_.front();
     over_cells(
         place.column, place.length, columns_,
         [&](int first, int k) { add_block(votes + first, place.values + k, sign); },
-        [&](int cell, int k) { add_to(votes[cell], sign * place.values[k]); });
+        [&](int cell, int k) { votes[cell] += sign * place.values[k]; });
     return;
   }
   std::int16_t* const layer = layer_.data();
@@ -130,7 +125,7 @@ void HoughSpace::vote_row(std::int16_t* votes, std::int16_t sign) {
     over_cells(
         place.column, place.length, columns_,
         [&](int first, int) { transfer_block(votes + first, layer + first, sign); },
-        [&](int cell, int) { add_to(votes[cell], sign * std::exchange(layer[cell], std::int16_t{0})); });
+        [&](int cell, int) { votes[cell] += sign * std::exchange(layer[cell], std::int16_t{0}); });
 }
 
 HoughSpace::Place HoughSpace::place_of(const Voter& voter, int row) const {
@@ -142,29 +137,27 @@ HoughSpace::Place HoughSpace::place_of(const Voter& voter, int row) const {
 }
 
 VoteStatistics HoughSpace::statistics() const {
-  std::int16_t peak = 0;
-  std::int32_t sum = 0, filled = 0;
-  double total = 0.0;
+  std::int32_t peak = 0, filled = 0;
+  std::int64_t sum = 0;
   for (int row = 0; row < rows_; ++row) {
-    const std::int16_t* const votes = votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
-    sum = 0;
+    const std::int32_t* const votes = votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
     for (int column = 0; column < columns_; ++column) {
       peak = std::max(peak, votes[column]);
       sum += votes[column];
       filled += votes[column] > 0 ? 1 : 0;
     }
-    total += sum;
   }
-  return {static_cast<double>(peak) / kVoteUnit, filled > 0 ? total / kVoteUnit / filled : 0.0, filled};
+  const double total = static_cast<double>(sum) / kVoteUnit;
+  return {static_cast<double>(peak) / kVoteUnit, filled > 0 ? total / filled : 0.0, filled};
 }
 
 void HoughSpace::cells_above(double threshold, double time, double centre,
                              std::vector<VoteCell>& cells) const {
   cells.clear();
   const auto limit =
-      static_cast<std::int16_t>(std::min(std::floor(threshold * kVoteUnit), static_cast<double>(INT16_MAX)));
+      static_cast<std::int32_t>(std::min(std::floor(threshold * kVoteUnit), static_cast<double>(INT32_MAX)));
   for (int row = 0; row < rows_; ++row) {
-    const std::int16_t* const votes = votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
+    const std::int32_t* const votes = votes_.data() + static_cast<std::ptrdiff_t>(row) * columns_;
     const double drift = velocity(row) * time;
     const auto lowest =
         static_cast<std::int64_t>(std::floor((centre - drift) / grid_.intercept_step)) - columns_ / 2;

@@ -53,7 +53,8 @@ class HoughSpace {
   HoughSpace(const HoughGrid& grid, const VoteParams& params, double range_sigma, double max_sigma);
 
   void clear();  ///< Takes all votes back and keeps the memory.
-  /// Adds the votes of line samples; those of one scan must stand together (at most 120 scans in all).
+  /// Adds the votes of line samples; those of one scan must stand together. A cell holds more than eight
+  /// million votes, so no window of any sensor overflows it, however many line samples of a scan add up.
   void add(std::span<const LineSample> samples) { vote(samples, +1); }
   /// Takes votes back: the line samples of whole scans, as they were added.
   void remove(std::span<const LineSample> samples) { vote(samples, -1); }
@@ -86,7 +87,7 @@ class HoughSpace {
 
   void vote(std::span<const LineSample> samples, int sign);
   void vote_scan(std::span<const LineSample> samples, int sign);
-  void vote_row(std::int16_t* votes, std::int16_t sign);
+  void vote_row(std::int32_t* votes, std::int32_t sign);
   Place place_of(const Voter& voter, int row) const;
 
   HoughGrid grid_;
@@ -96,8 +97,8 @@ class HoughSpace {
   int rows_;
   int columns_;
   double first_velocity_;
-  std::vector<std::int16_t> votes_;  ///< rows_ x columns_.
-  std::vector<std::int16_t> layer_;  ///< One row of one scan.
+  std::vector<std::int32_t> votes_;  ///< rows_ x columns_. 16 bit would wrap at 128 votes.
+  std::vector<std::int16_t> layer_;  ///< One row of one scan: a maximum of votes, never a sum.
   std::vector<Voter> voters_;
   std::vector<Place> places_;
 };

@@ -100,6 +100,24 @@ TEST(HoughSpace, AScanGivesACellItsMaximum) {
   EXPECT_EQ(other.statistics().peak, 2.0 * single.statistics().peak);
 }
 
+// Literal clutter at P_F = .7 puts 211 line samples of a window of 100 scans into one cell. Ten times that:
+// 100 scans of 20 line samples each, all of them in one cell, each a whole vote.
+TEST(HoughSpace, CountsEveryVoteOfACrowdedCell) {
+  HoughSpace space(kGrid, plain(), 1.0, 1.0);
+  std::vector<LineSample> samples;
+  for (int scan = 0; scan < 100; ++scan)
+    for (int k = 0; k < 20; ++k) samples.push_back({scan, 0.0, 12.5, 1.0});
+  space.add(samples);
+  EXPECT_EQ(space.statistics().peak, 2000.0);
+  EXPECT_EQ(space.statistics().mean, 2000.0);
+  std::vector<VoteCell> cells;
+  space.cells_above(1999.0, 0.0, 0.0, cells);
+  EXPECT_EQ(static_cast<int>(cells.size()),
+            space.rows());  // at time 0 the intercept is the same in every row
+  space.remove(samples);
+  EXPECT_EQ(space.statistics().filled, 0);
+}
+
 // The ring: a target a kilometre away votes in the same matrix, and is found where it is.
 TEST(HoughSpace, FollowsTheVehicleHoweverFar) {
   HoughSpace space(kGrid, plain(), 1.0, 1.0);
