@@ -65,7 +65,8 @@ def plot_map(directory, methods):
 
 
 def plot_table(directory):
-    rows = [row for row in rows_of(directory / "results.csv") if row["metric"] == "ospa" and is_paper_case(row)]
+    rows = [row for row in rows_of(directory / "results.csv")
+            if row["metric"] == "ospa_of_means" and is_paper_case(row)]
     for clutter in sorted({row["clutter"] for row in rows}):
         chosen = [row for row in rows if row["clutter"] == clutter]
         misses = sorted({row["p_miss"] for row in chosen}, key=float)
@@ -74,7 +75,7 @@ def plot_table(directory):
             plot_panel(axis, [row for row in chosen if row["p_miss"] == p_miss])
             axis.set_title(f"$P_M$ = {p_miss}, {clutter} clutter")
             axis.set_xlabel("$P_F$")
-        axes[0][0].set_ylabel("OSPA in view [m]")
+        axes[0][0].set_ylabel("OSPA of the means, in view [m]")
         axes[0][0].legend(fontsize=7)
         save(figure, directory / f"ospa_{clutter}.png")
 

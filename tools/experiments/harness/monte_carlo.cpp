@@ -86,6 +86,13 @@ void run_tasks(const Experiment& experiment, const std::vector<Cell>& cells, con
   if (failure) std::rethrow_exception(failure);
 }
 
+/// Beside the mean of the scans' OSPA the statistic that [Yan2018] prints, where a cell has both parts.
+void add_ospa_of_means(const std::map<std::string, std::vector<Metric>>& values, Estimates& estimates) {
+  const auto localization = values.find("ospa_localization"), cardinality = values.find("ospa_cardinality");
+  if (localization == values.end() || cardinality == values.end()) return;
+  estimates["ospa_of_means"] = norm_of_means(localization->second, cardinality->second);
+}
+
 CellResult pool_cell(const Experiment& experiment, const Cell& cell,
                      const std::vector<std::optional<Metrics>>& runs) {
   std::map<std::string, std::vector<Metric>> values;
@@ -98,6 +105,7 @@ CellResult pool_cell(const Experiment& experiment, const Cell& cell,
     const Estimate estimate = pool(metrics, experiment.pooling(name));
     if (estimate.runs > 0) result.metrics[name] = estimate;
   }
+  add_ospa_of_means(values, result.metrics);
   experiment.complete(result.metrics);
   return result;
 }
@@ -145,6 +153,16 @@ Estimate pool(const std::vector<Metric>& runs, Pooling pooling) {
   if (!square) return {mean, 1.96 * error, count};
   const double root = std::sqrt(mean);
   return {root, root > 0.0 ? 1.96 * error / (2.0 * root) : 0.0, count};
+}
+
+Estimate norm_of_means(const std::vector<Metric>& first, const std::vector<Metric>& second) {
+  const double a = pool(first, Pooling::mean).mean, b = pool(second, Pooling::mean).mean;
+  const double norm = std::hypot(a, b);
+  std::vector<Metric>
+      along;  // Each run's parts along (a, b): their mean is the norm, their spread its error.
+  for (std::size_t k = 0; k < std::min(first.size(), second.size()); ++k)
+    along.emplace_back(norm > 0.0 ? (a * first[k].value + b * second[k].value) / norm : 0.0);
+  return pool(along, Pooling::mean);
 }
 
 ExperimentResults run_monte_carlo(const Experiment& experiment, const std::string& name,

@@ -44,6 +44,12 @@ struct ExperimentResults {
 /// Pools the runs of one metric; runs without a value are left out.
 Estimate pool(const std::vector<Metric>& runs, Pooling pooling);
 
+/// sqrt(A^2 + B^2) of the means A, B of two parts that the same runs report, as [Yan2018] Tables 10 and 13
+/// make a total of the parts in Tables 8, 9, 11 and 12: never above the mean of the runs' own totals. The
+/// interval is linearised over the runs, correlation of the parts included.
+/// @param first, second of the same runs in one order, with weights of one.
+Estimate norm_of_means(const std::vector<Metric>& first, const std::vector<Metric>& second);
+
 /// Runs every cell that passes the filters. The work is a list of independent (cell, run) tasks; results
 /// depend on the seed alone, neither on the number of threads nor on their order.
 /// @throws core::InputError where nothing passes the filters, and what a run throws.

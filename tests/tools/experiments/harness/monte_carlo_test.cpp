@@ -41,6 +41,32 @@ TEST(MonteCarlo, PoolsByWeightAndBySquares) {
   EXPECT_EQ(pool({2.0, std::nan("")}, Pooling::mean).runs, 1);
 }
 
+// Parts (3, 0) and (0, 4): each run's own total is 3 and 4, mean 3.5; the norm of the means is
+// sqrt(1.5^2 + 2^2) = 2.5. Along (1.5, 2) / 2.5 the runs have 1.8 and 3.2.
+TEST(MonteCarlo, NormOfMeansIsThePapersTotal) {
+  const Estimate total = norm_of_means({3.0, 0.0}, {0.0, 4.0});
+  EXPECT_DOUBLE_EQ(total.mean, 2.5);
+  EXPECT_DOUBLE_EQ(total.ci95, pool({1.8, 3.2}, Pooling::mean).ci95);
+  EXPECT_EQ(norm_of_means({0.0, 0.0}, {0.0, 0.0}).mean, 0.0);
+}
+
+/// Two runs with the parts of the test above.
+class PartsExperiment : public DiceExperiment {
+ public:
+  std::vector<Cell> cells() const override { return {{"parts", {}, {}}}; }
+  Metrics run(const Cell&, std::uint64_t, int run) const override {
+    return {{"ospa", run == 0 ? 3.0 : 4.0},
+            {"ospa_localization", run == 0 ? 3.0 : 0.0},
+            {"ospa_cardinality", run == 0 ? 0.0 : 4.0}};
+  }
+};
+
+TEST(MonteCarlo, BothStatisticsOfOspaStandSideBySide) {
+  const auto metrics = run_monte_carlo(PartsExperiment(), "parts", options_with(2, 1)).cells[0].metrics;
+  EXPECT_DOUBLE_EQ(metrics.at("ospa").mean, 3.5);
+  EXPECT_DOUBLE_EQ(metrics.at("ospa_of_means").mean, 2.5);
+}
+
 TEST(MonteCarlo, FiltersOrWithinAKeyAndBetweenKeys) {
   const auto cells = DiceExperiment().cells();
   const auto passing = [&](std::vector<std::string> words) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace lookout::tools {
 namespace {
 
@@ -17,6 +19,20 @@ TEST(CshtTracking, HasBothReadingsAndThePapersFigures) {
   EXPECT_EQ(light, 20);    // 16 pairs of probabilities and four further sigmas
   EXPECT_EQ(printed, 40);  // in both readings
   EXPECT_EQ(delayed, 80);  // joint, 5 and 10 s
+}
+
+// [Yan2018] Tables 10 and 13 print the norm of Tables 8, 9, 11 and 12, to their two digits, in all 40 cells:
+// so the total stands beside `ospa_of_means`, and nothing beside `ospa`, the mean of the scans' own totals.
+TEST(CshtTracking, ComparesThePapersTotalWithItsOwnStatistic) {
+  int compared = 0;
+  for (const auto& cell : make_csht_tracking()->cells()) {
+    EXPECT_FALSE(cell.paper.contains("ospa"));
+    if (!cell.paper.contains("ospa_of_means") || cell.parameters.text("clutter") != "light") continue;
+    const double norm = std::hypot(cell.paper.at("ospa_localization"), cell.paper.at("ospa_cardinality"));
+    EXPECT_NEAR(cell.paper.at("ospa_of_means"), norm, 0.01);
+    ++compared;
+  }
+  EXPECT_EQ(compared, 40);  // 20 points, csht and kalman
 }
 
 }  // namespace
