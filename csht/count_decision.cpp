@@ -137,6 +137,11 @@ double CountDecision::log_velocity_density(const Eigen::Vector2d& velocity) cons
   return -std::log(kPi * params_.prior_speed * params_.prior_speed);
 }
 
+double existence_of(const Candidate& candidate, const CountDecisionParams& params) {
+  const double log_odds = candidate.log_evidence - (candidate.offered ? params.offered_evidence : 0.0);
+  return 1.0 / (1.0 + std::exp(-log_odds));
+}
+
 bool CountDecision::accepts(const Candidate& candidate, int best_support) const {
   if (!candidate.offered) return accepts_as_new(candidate, best_support);
   return enough(candidate, params_.offered_support, params_.offered_evidence, best_support);

@@ -26,6 +26,11 @@ struct CountDecisionParams {
                                  ///< the fit; >= 0.
 };
 
+/// Probability that an accepted candidate exists: its log evidence holds the prior density already, so it is
+/// the log odds of a new target. A candidate that stands only because a track offered it (`offered`) has
+/// shown evidence before, which `offered_evidence` stands for.
+double existence_of(const Candidate& candidate, const CountDecisionParams& params);
+
 /// Decides which candidates are targets, after both axes: the log evidence of a target against clutter, from
 /// what its beams reported and did not, without P_F, P_M or the number of targets.
 class CountDecision {

@@ -51,7 +51,8 @@ std::span<const core::MotionElement> CshtEstimator::update(const core::PosedScan
     gather_free_lines();
     candidates_.clear();
     if (pass == 0) propose_offered();
-    for (const int axis : {0, 1}) propose(pass, axis);
+    propose(pass, 0);
+    if (params_.both_axes) propose(pass, 1);
     if (ownership_.accept(candidates_, window_) == 0) break;
   }
   offered_.clear();
@@ -139,7 +140,10 @@ void CshtEstimator::take_snapshot(const HoughSpace& space, int axis, std::span<c
 }
 
 void CshtEstimator::report_elements() {
-  for (const auto& target : ownership_.accepted()) elements_.push_back(to_element(target, window_, epoch_));
+  for (const auto& target : ownership_.accepted()) {
+    elements_.push_back(to_element(target, window_, epoch_));
+    elements_.back().existence = existence_of(target, params_.decision);
+  }
 }
 
 }  // namespace lookout::csht

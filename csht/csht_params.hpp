@@ -15,7 +15,8 @@ namespace lookout::csht {
 struct CshtParams {
   int window_scans = 20;         ///< W, 3 to kMaxWindowScans. [Yan2018] section V.
   int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
-  int passes = 3;                ///< Most searches, each among the detections without an owner, > 0.
+  bool both_axes = true;  ///< East takes its turn as first axis too; false: north alone, as in the paper.
+  int passes = 3;         ///< Most searches, each among the detections without an owner, > 0.
   double intercept_step = 0.5;   ///< Of the grid, in the range sigma, > 0.
   double velocity_step = 0.7;    ///< Of the grid, in range sigma / half the window's duration, > 0.
   double cross_floor = 0.2;      ///< Added to the error across the line of sight [m], >= 0.

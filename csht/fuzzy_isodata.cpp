@@ -39,21 +39,24 @@ FuzzyIsodata::FuzzyIsodata(const FuzzyIsodataParams& params)
 std::span<const FeaturePoint> FuzzyIsodata::cluster(const WeightedPoints& points,
                                                     std::span<const FeaturePoint> first) {
   centres_.assign(first.begin(), first.end());
-  converged_ = false;
   if (points.size() == 0) centres_.clear();
-  for (int round = 0; round < params_.rounds && !centres_.empty() && !converged_; ++round) {
-    update_to_rest(points);
+  bool settled = centres_.empty();
+  converged_ = settled;
+  for (int round = 0; round < params_.rounds && !settled; ++round) {
+    const bool at_rest = update_to_rest(points);
     const bool may_divide = round < params_.division_rounds * params_.rounds;
-    converged_ = adjust(points, may_divide) == Adjustment::none;
+    settled = adjust(points, may_divide) == Adjustment::none;
+    converged_ = settled && at_rest && (may_divide || !widest());
   }
-  if (!converged_ && !centres_.empty()) update_to_rest(points);
+  if (!settled) update_to_rest(points);
   return centres_;
 }
 
-void FuzzyIsodata::update_to_rest(const WeightedPoints& points) {
+bool FuzzyIsodata::update_to_rest(const WeightedPoints& points) {
   for (int sweep = 0; sweep < params_.sweeps; ++sweep) {
-    if (static_cast<double>(partition_.update(points, centres_)) < params_.at_rest) return;
+    if (static_cast<double>(partition_.update(points, centres_)) < params_.at_rest) return true;
   }
+  return false;
 }
 
 FuzzyIsodata::Adjustment FuzzyIsodata::adjust(const WeightedPoints& points, bool may_divide) {
@@ -115,26 +118,29 @@ FuzzyIsodata::Adjustment FuzzyIsodata::combine_closest() {
   return Adjustment::done;
 }
 
-// The widest pattern of those with C_i <= A and S_ij > F_std. Eq. (34), (35).
-FuzzyIsodata::Adjustment FuzzyIsodata::divide_one() {
-  const double threshold = division_threshold();
-  double widest = threshold;
-  std::size_t pattern = centres_.size();
-  int feature = 0;
+// The widest of the patterns with C_i <= A and S_ij > F_std.
+std::optional<FuzzyIsodata::Feature> FuzzyIsodata::widest() const {
+  std::optional<Feature> found;
+  double widest = division_threshold();
   for (std::size_t i = 0; i < centres_.size(); ++i) {
     if (statistics_[i].aggregation() > params_.aggregation) continue;
     for (int j = 0; j < 2; ++j) {
       if (statistics_[i].deviation[j] <= widest) continue;
       widest = statistics_[i].deviation[j];
-      pattern = i;
-      feature = j;
+      found = Feature{i, j, widest};
     }
   }
-  if (pattern == centres_.size()) return Adjustment::none;
-  const auto step = static_cast<float>(params_.division_step * widest);
-  FeaturePoint other = centres_[pattern];
-  (feature == 0 ? other.x : other.y) -= step;
-  (feature == 0 ? centres_[pattern].x : centres_[pattern].y) += step;
+  return found;
+}
+
+// Eq. (34), (35).
+FuzzyIsodata::Adjustment FuzzyIsodata::divide_one() {
+  const auto feature = widest();
+  if (!feature) return Adjustment::none;
+  const auto step = static_cast<float>(params_.division_step * feature->deviation);
+  FeaturePoint other = centres_[feature->pattern];
+  (feature->axis == 0 ? other.x : other.y) -= step;
+  (feature->axis == 0 ? centres_[feature->pattern].x : centres_[feature->pattern].y) += step;
   centres_.push_back(other);
   return Adjustment::done;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -33,18 +34,27 @@ class FuzzyIsodata {
   /// @return the centres of the patterns; valid until the next call.
   std::span<const FeaturePoint> cluster(const WeightedPoints& points, std::span<const FeaturePoint> first);
 
-  /// Whether the last call came to rest before its rounds ran out.
+  /// Whether the last call came to rest: its centres at rest, and no pattern left to delete, combine or
+  /// divide, not even one whose division came too late (`division_rounds`). True where there were no
+  /// patterns.
   bool converged() const { return converged_; }
 
  private:
   enum class Adjustment { none, done };
+  /// A feature of a pattern: 0 along x, 1 along y.
+  struct Feature {
+    std::size_t pattern = 0;
+    int axis = 0;
+    double deviation = 0.0;  ///< S_ij [grid steps].
+  };
 
-  void update_to_rest(const WeightedPoints& points);
+  bool update_to_rest(const WeightedPoints& points);  ///< Whether the sweeps brought the centres to rest.
   Adjustment adjust(const WeightedPoints& points, bool may_divide);
   Adjustment delete_one(double total_weight);
   Adjustment combine_closest();
   Adjustment divide_one();
-  double division_threshold() const;  ///< F_std. Eq. (28).
+  std::optional<Feature> widest() const;  ///< What must be divided first. Eq. (28)-(33).
+  double division_threshold() const;      ///< F_std. Eq. (28).
 
   FuzzyIsodataParams params_;
   FuzzyPartition partition_;

@@ -46,8 +46,8 @@ CshtPrintedEstimator::CshtPrintedEstimator(const CshtPrintedParams& params, cons
     : params_(validated(params)),
       window_(params.window_scans, sonar, 0.0),
       north_votes_(make_space(params, sonar)),
-      isodata_(params.isodata),
-      east_line_(params.single_line, make_space(params, sonar)) {}
+      east_votes_(make_space(params, sonar)),
+      isodata_(params.isodata) {}
 
 std::span<const core::MotionElement> CshtPrintedEstimator::update(const core::PosedScan& scan) {
   window_.add(scan);
@@ -55,17 +55,21 @@ std::span<const core::MotionElement> CshtPrintedEstimator::update(const core::Po
   north_votes_.add(window_.newest_lines(0));
   elements_.clear();
   if (static_cast<int>(window_.scans().size()) < params_.first_estimate_scans) return elements_;
-  keep_cells();
+  keep_cells(north_votes_, 0);
   spread_first_classes();
-  correlate(isodata_.cluster(points_, first_));
+  classes_.clear();
+  for (const auto& centre : isodata_.cluster(points_, first_))
+    classes_.push_back({static_cast<double>(centre.x), static_cast<double>(centre.y)});
+  correlate();
   return elements_;
 }
 
 // [Yan2018] Eq. (17)-(20); intercepts at the start of the window.
-void CshtPrintedEstimator::keep_cells() {
+void CshtPrintedEstimator::keep_cells(const HoughSpace& space, int axis) {
   const auto& first_scan = window_.scans().front();
-  const double threshold = primary_threshold(params_.threshold, north_votes_.statistics());
-  north_votes_.cells_above(threshold, first_scan.time, first_scan.T_earth_sonar.north, cells_);
+  const auto& pose = first_scan.T_earth_sonar;
+  const double threshold = primary_threshold(params_.threshold, space.statistics());
+  space.cells_above(threshold, first_scan.time, axis == 0 ? pose.north : pose.east, cells_);
   points_.clear();
   for (const auto& cell : cells_)
     points_.push_back({static_cast<float>(cell.velocity), static_cast<float>(cell.intercept)},
@@ -88,28 +92,40 @@ void CshtPrintedEstimator::spread_first_classes() {
   }
 }
 
-// [Yan2018] Eq. (41), every detection to the class whose north line is nearest, at the detection's own time.
-void CshtPrintedEstimator::correlate(std::span<const FeaturePoint> classes) {
-  const double start = window_.scans().front().time;
+// [Yan2018] Eq. (40), (41): every detection to the class whose current north position is nearest.
+void CshtPrintedEstimator::correlate() {
+  const double start = window_.scans().front().time, now = window_.scans().back().time;
   const auto north = window_.lines(0), east = window_.lines(1);
   class_of_.assign(north.size(), 0);
   for (std::size_t k = 0; k < north.size(); ++k) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t c = 0; c < classes.size(); ++c) {
-      const double predicted =
-          static_cast<double>(classes[c].y) + static_cast<double>(classes[c].x) * (north[k].time - start);
-      if (std::abs(north[k].position - predicted) >= nearest) continue;
-      nearest = std::abs(north[k].position - predicted);
+    for (std::size_t c = 0; c < classes_.size(); ++c) {
+      const double time = params_.own_time ? north[k].time : now;
+      const double expected = classes_[c].intercept + classes_[c].velocity * (time - start);
+      if (std::abs(north[k].position - expected) >= nearest) continue;
+      nearest = std::abs(north[k].position - expected);
       class_of_[k] = static_cast<int>(c);
     }
   }
-  for (std::size_t c = 0; c < classes.size(); ++c) {
+  for (std::size_t c = 0; c < classes_.size(); ++c) {
     east_samples_.clear();
     for (std::size_t k = 0; k < east.size(); ++k)
       if (class_of_[k] == static_cast<int>(c)) east_samples_.push_back(east[k]);
-    const auto line = east_line_.extract(east_samples_, start, window_.scans().front().T_earth_sonar.east);
-    if (line) report({static_cast<double>(classes[c].x), static_cast<double>(classes[c].y)}, *line);
+    if (const auto line = single_line()) report(classes_[c], *line);
   }
+}
+
+/// The clustering statistic with one class: all memberships are 1, and Eq. (23) is the weighted mean of the
+/// cells above the primary threshold.
+std::optional<Line> CshtPrintedEstimator::single_line() {
+  if (east_samples_.empty()) return std::nullopt;
+  east_votes_.clear();
+  east_votes_.add(east_samples_);
+  keep_cells(east_votes_, 1);
+  if (cells_.empty()) return std::nullopt;
+  first_.assign(1, points_.mean());
+  const auto centres = isodata_.cluster(points_, first_);
+  return Line{static_cast<double>(centres.front().x), static_cast<double>(centres.front().y)};
 }
 
 /// The covariance is that of a cell and of the classes' width in the vote matrix: the method has no other.

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "csht/fuzzy_isodata.hpp"
 #include "csht/hough_space.hpp"
 #include "csht/hough_window.hpp"
 #include "csht/motion_estimator.hpp"
-#include "csht/single_line.hpp"
 #include "csht/vote_peaks.hpp"
 
 namespace lookout::csht {
@@ -27,13 +27,14 @@ struct CshtPrintedParams {
                              .division_spread = 2.0,
                              .division_step = 1.0,
                              .deletion = 0.05};
-  int first_classes = 6;         ///< Spread evenly over the kept cells, > 0.
-  SingleLineParams single_line;  ///< Which classes are one line.
+  int first_classes = 6;  ///< Spread evenly over the kept cells, > 0.
+  bool own_time = false;  ///< Eq. (41) with the north line at each detection's own time, not now.
 };
 
 /// The clustering statistic Hough transform as printed: raw votes in one cell each, intercepts at the start
-/// of the window, features in m and m/s as they are, every detection given to some target, no refit, no test
-/// of the count. [Yan2018] section III. A baseline: its values fit the paper's scene alone.
+/// of the window, features in m and m/s as they are, every detection given to the target whose *current*
+/// north position is nearest (Eq. (41)), each target's east line by the same clustering from a single class,
+/// no refit, no test of the count. [Yan2018] section III. A baseline: its values fit the paper's scene alone.
 class CshtPrintedEstimator : public MotionEstimator {
  public:
   /// @throws std::invalid_argument on a parameter out of range.
@@ -44,19 +45,21 @@ class CshtPrintedEstimator : public MotionEstimator {
   int window_scans() const override { return params_.window_scans; }
 
  private:
-  void keep_cells();
+  void keep_cells(const HoughSpace& space, int axis);
   void spread_first_classes();
-  void correlate(std::span<const FeaturePoint> classes);
+  void correlate();
+  std::optional<Line> single_line();  ///< Of east_samples_.
   void report(const Line& north, const Line& east);
 
   CshtPrintedParams params_;
   HoughWindow window_;
   HoughSpace north_votes_;
+  HoughSpace east_votes_;  ///< Of one target at a time.
   std::vector<VoteCell> cells_;
   WeightedPoints points_;
   std::vector<FeaturePoint> first_;
   FuzzyIsodata isodata_;
-  SingleLine east_line_;
+  std::vector<Line> classes_;  ///< North lines.
   std::vector<int> class_of_;
   std::vector<LineSample> east_samples_;
   std::vector<core::MotionElement> elements_;

@@ -117,5 +117,15 @@ TEST(CountDecision, RefusesNonsense) {
   EXPECT_THROW(CountDecision{params}, std::invalid_argument);
 }
 
+// Log odds ln 3 are a probability of 3/4; an offered candidate at its limit of -3 is as likely as not.
+TEST(CountDecision, ExistenceIsTheEvidenceAsAProbability) {
+  Candidate candidate;
+  candidate.log_evidence = std::log(3.0);
+  EXPECT_DOUBLE_EQ(existence_of(candidate, {}), 0.75);
+  candidate.offered = true;
+  candidate.log_evidence = -3.0;
+  EXPECT_DOUBLE_EQ(existence_of(candidate, {}), 0.5);
+}
+
 }  // namespace
 }  // namespace lookout::csht
