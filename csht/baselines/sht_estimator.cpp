@@ -10,6 +10,8 @@ namespace {
 HoughSpace make_space(const ShtParams& params, const core::SonarParams& sonar) {
   CshtParams csht = CshtParams::window();
   csht.window_scans = params.window_scans;
+  csht.intercept_step = params.intercept_step;
+  csht.velocity_step = params.velocity_step;
   VoteParams votes;
   votes.fuzzy = false;
   votes.one_vote_a_scan = false;
@@ -19,6 +21,8 @@ HoughSpace make_space(const ShtParams& params, const core::SonarParams& sonar) {
 const ShtParams& validated(const ShtParams& params) {
   core::require(params.window_scans >= 3 && params.window_scans <= kMaxWindowScans,
                 "window_scans must be 3 to 100", params.window_scans);
+  core::require(params.intercept_step > 0.0, "intercept_step must be > 0", params.intercept_step);
+  core::require(params.velocity_step > 0.0, "velocity_step must be > 0", params.velocity_step);
   core::require(params.threshold > 0.0 && params.threshold < 1.0, "threshold must be in (0, 1)",
                 params.threshold);
   core::require(params.apart >= 0.0, "apart must be >= 0", params.apart);

@@ -11,11 +11,14 @@
 
 namespace lookout::csht {
 
-/// The baseline without clustering. The grid is the faithful estimator's.
+/// The baseline without clustering. Its votes are whole, so its cells are larger than those of `csht`, whose
+/// Gaussian votes want a fine grid. Values: docs/csht.md.
 struct ShtParams {
-  int window_scans = 20;         ///< W, 3 to kMaxWindowScans. [Yan2018] section V.
-  int first_estimate_scans = 3;  ///< Scans before the first estimate, 1 to window_scans.
-  double threshold = 0.6;        ///< A peak has more than this share of the most votes, in (0, 1).
+  int window_scans = 20;              ///< W, 3 to kMaxWindowScans. [Yan2018] section V.
+  int first_estimate_scans = 3;       ///< Scans before the first estimate, 1 to window_scans.
+  double intercept_step = 5.0 / 3.0;  ///< Of the grid, in the range sigma, > 0.
+  double velocity_step = 1.4;         ///< Of the grid, in range sigma / half the window's duration, > 0.
+  double threshold = 0.6;             ///< A peak has more than this share of the most votes, in (0, 1).
   double apart = 3.0;    ///< Cells nearer than this to a stronger peak belong to it [grid steps], >= 0.
   int max_targets = 50;  ///< Most peaks that are targets, the strongest, > 0.
 };
