@@ -1,5 +1,7 @@
 #include "csht/line_classes.hpp"
 
+#include <utility>
+
 #include "core/parameter_check.hpp"
 
 namespace lookout::csht {
@@ -24,7 +26,9 @@ std::span<const Line> LineClasses::find(const HoughSpace& space, double time, do
   strongest_apart(cells_, space.grid(), params_.first_apart, params_.max_first, peaks_);
   to_features(space.grid(), centre);
   lines_.clear();
-  for (const auto& pattern : isodata_.cluster(points_, first_))
+  const auto patterns =
+      params_.cluster ? isodata_.cluster(points_, first_) : std::span(std::as_const(first_));
+  for (const auto& pattern : patterns)
     lines_.push_back({static_cast<double>(pattern.x) * space.grid().velocity_step,
                       static_cast<double>(pattern.y) * space.grid().intercept_step + centre});
   return lines_;

@@ -16,6 +16,7 @@ struct LineClassesParams {
   FuzzyIsodataParams isodata;        ///< Of the clustering.
   double first_apart = 3.0;          ///< Least distance of two first classes [grid steps], >= 0.
   int max_first = 20;                ///< K0, most first classes, > 0.
+  bool cluster = true;               ///< False: the first classes as they are, without fuzzy ISODATA.
 };
 
 /// The clustering statistic of one vote matrix: cells above the primary threshold, first classes at their

@@ -54,6 +54,23 @@ TEST(LineClasses, KeepOnlyCellsAboveTheThreshold) {
   for (const auto& cell : classes.kept_cells()) EXPECT_GT(cell.votes, classes.threshold() - 1.0 / kVoteUnit);
 }
 
+// Without clustering the classes are the strongest cells, at least `first_apart` grid steps from each other.
+TEST(LineClasses, WithoutClusteringTheyAreThePeaks) {
+  std::vector<LineSample> samples;
+  add_line(samples, {1.0, 14.75});
+  HoughSpace space(kGrid, {}, 3.0, 3.0);
+  space.add(samples);
+  LineClassesParams params;
+  params.cluster = false;
+  params.max_first = 1;
+  LineClasses classes(params);
+  const auto found = classes.find(space, 0.0, 0.0);
+  ASSERT_EQ(found.size(), 1U);
+  const VoteCell peak = classes.kept_cells().front();
+  EXPECT_NEAR(found[0].velocity, peak.velocity, 1e-5);
+  EXPECT_NEAR(found[0].intercept, peak.intercept, 1e-4);
+}
+
 TEST(LineClasses, AnEmptyMatrixHasNone) {
   const HoughSpace space(kGrid, {}, 3.0, 3.0);
   LineClasses classes({});
