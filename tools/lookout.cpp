@@ -74,9 +74,10 @@ void describe_names(CLI::App& app) {
 }
 
 /// Plug-ins are loaded while the flags are read, so that help and errors know their names.
-void add_plugin(CLI::App& app) {
-  const auto load = [&app](const std::vector<std::string>& files) {
+void add_plugin(CLI::App& app, Options& options) {
+  const auto load = [&app, &options](const std::vector<std::string>& files) {
     for (const auto& file : files) load_plugin(file);
+    options.plugins = files;
     describe_names(app);
   };
   app.add_option_function<std::vector<std::string>>(
@@ -91,7 +92,7 @@ void add_tracking(CLI::App& app, Options& options) {
   app.add_option("--config", options.config, "Configuration YAML");
   app.add_option("--estimator", options.estimator, one_of("Estimator", estimator_choices()));
   app.add_option("--tracker", options.tracker, one_of("Tracker", tracking::tracker_names()));
-  add_plugin(app);
+  add_plugin(app, options);
   app.add_option("--lag", options.lag, "Delayed output: tracks as they are known so much later [s]");
   app.add_flag("--explain", options.explain, "One line a track decision on stderr");
 }
@@ -202,7 +203,7 @@ void declare_initiate(CLI::App& app, Options& options) {
   app.add_option("POINTS", options.inputs, "CSV of scan,time_s,x_m,y_m")->expected(1)->required();
   app.add_option("--out", options.out, "TRACKS.csv to write");
   app.add_option("--config", options.config, "Configuration YAML; its `initiator:` part is used");
-  add_plugin(app);
+  add_plugin(app, options);
 }
 
 void declare_import(CLI::App& app, Options& options) {
@@ -229,7 +230,7 @@ void declare_experiment(CLI::App& app, Options& options) {
   app.add_option("--only", options.only, "KEY=VALUE: only the cells with it; may be repeated")
       ->allow_extra_args(false);
   app.add_flag("--resume", options.resume, "Go on where an interrupted experiment stopped");
-  add_plugin(app);
+  add_plugin(app, options);
 }
 
 void declare_watch(CLI::App& app, Options& options) {

@@ -13,10 +13,7 @@ import math
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt
+from plot_style import plt, save_both
 
 REFERENCE = pathlib.Path(__file__).parent / "data" / "t2gt_reference.csv"
 COLUMNS = [("0.05deg", "none"), ("0.5deg", "none"), ("0.05rad", "none"), ("0.05deg", "worse"), ("0.05deg", "bias")]
@@ -50,8 +47,7 @@ def draw(noise, fault, curves, path):
     axes[0][0].legend(fontsize=7, ncol=2)
     figure.suptitle(f"azimuth noise {noise}, fault {fault}")
     figure.tight_layout()
-    figure.savefig(path, dpi=110)
-    plt.close(figure)
+    save_both(figure, path)
 
 
 def measured(results):

@@ -8,11 +8,9 @@ import json
 import pathlib
 import sys
 
-import matplotlib
+import numpy as np
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
+from plot_style import plt, save_both
 
 
 def rows_of(path):
@@ -29,8 +27,7 @@ def read_pgm(path):
 
 def save(figure, path):
     figure.tight_layout()
-    figure.savefig(path, dpi=120)
-    plt.close(figure)
+    save_both(figure, path)
 
 
 def paths_by(rows, x, y):
@@ -114,8 +111,9 @@ def main():
     directory = pathlib.Path(sys.argv[1])
     results = json.loads((directory / "results.json").read_text())
     if results["experiment"] == "hpmht-sonar":
-        plot_sonar_image(directory)
-        plot_existence(directory)
+        if (directory / "sonar_tracks.csv").exists():  # of h_pmht, which --only may have left out
+            plot_sonar_image(directory)
+            plot_existence(directory)
         plot_over_snr(directory, results["cells"])
     else:
         plot_video(directory, results["cells"])

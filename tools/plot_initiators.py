@@ -10,10 +10,7 @@ import math
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
+from plot_style import plt, save_both
 
 SWEPT = [("p1", "$P_1$"), ("p2", "$P_2$"), ("p3", "$P_3$"), ("discrimination", "discrimination $D$"),
          ("found", "found"), ("false_per_run", "false tracks a run"), ("time_ms", "time [ms]")]
@@ -28,8 +25,7 @@ def rows_of(path):
 
 def save(figure, path):
     figure.tight_layout()
-    figure.savefig(path, dpi=120)
-    plt.close(figure)
+    save_both(figure, path)
     print(path)
 
 

@@ -9,9 +9,10 @@ namespace lookout::tools {
 
 /// Everything that the command line can say; each command reads its own part. Empty texts were not given.
 struct Options {
-  std::vector<std::string> inputs;  ///< Scenario, recording, log or CSV files, in the order given.
-  std::string method;               ///< Initiator, tbd or fusion method, or the experiment's name.
-  std::string out;                  ///< Directory or file to write.
+  std::vector<std::string> inputs;   ///< Scenario, recording, log or CSV files, in the order given.
+  std::string method;                ///< Initiator, tbd or fusion method, or the experiment's name.
+  std::string out;                   ///< Directory or file to write.
+  std::vector<std::string> plugins;  ///< Shared libraries that were loaded, as they were named.
   std::uint64_t seed = 1;
   std::string config;         ///< Configuration YAML.
   std::string estimator;      ///< Registry name; empty: the configuration's, else the default.

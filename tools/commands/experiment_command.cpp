@@ -1,4 +1,5 @@
 #include <iostream>
+#include <sstream>
 
 #include "core/input_error.hpp"
 #include "tools/cli/log.hpp"
@@ -28,6 +29,16 @@ MonteCarloOptions monte_carlo_options(const Options& options) {
   return result;
 }
 
+/// The line that makes these results again, whatever the defaults are then.
+std::string command_line(const Options& options) {
+  std::ostringstream line;
+  line << "lookout experiment " << options.method << " --runs " << options.runs << " --seed " << options.seed;
+  for (const auto& file : options.plugins) line << " --plugin " << file;
+  for (const auto& filter : options.only) line << " --only " << filter;
+  line << " --out " << options.out;
+  return line.str();
+}
+
 }  // namespace
 
 int experiment_command(const Options& options) {
@@ -40,11 +51,13 @@ int experiment_command(const Options& options) {
     return 0;
   }
   make_directory(options.out);
-  const ExperimentResults results =
-      run_monte_carlo(*experiment, options.method, monte_carlo_options(options));
+  const MonteCarloOptions how = monte_carlo_options(options);
+  ExperimentResults results = run_monte_carlo(*experiment, options.method, how);
+  results.command = command_line(options);
   write_results(*experiment, results, options.out);
   log_info("wrote " + options.out + "/results.json, results.csv and report.md");
-  experiment->write_extras(options.seed, options.out);
+  experiment->write_extras({options.seed, options.runs, options.jobs,
+                            chosen_cells(*experiment, options.method, how.only), options.out});
   if (!experiment->plot_script().empty()) run_plot_script(experiment->plot_script(), {options.out});
   return 0;
 }

@@ -191,7 +191,7 @@ class T2gt final : public Experiment {
     estimates["rmse"] = mean;
   }
 
-  void write_extras(std::uint64_t seed, const std::string& directory) const override;
+  void write_extras(const Drawn& drawn) const override;
 
  private:
   static Parameters with_all(const std::string& noise, const std::string& fault) {
@@ -212,15 +212,15 @@ class T2gt final : public Experiment {
   }
 };
 
-void T2gt::write_extras(std::uint64_t seed, const std::string& directory) const {
-  constexpr int kRuns = 100;
-  core::CsvWriter csv(directory + "/rmse_over_time.csv", "method,azimuth_noise,fault,target,time_s,rmse_m");
-  for (const Cell& cell : cells()) {
+void T2gt::write_extras(const Drawn& drawn) const {
+  core::CsvWriter csv(drawn.directory + "/rmse_over_time.csv",
+                      "method,azimuth_noise,fault,target,time_s,rmse_m");
+  for (const Cell& cell : drawn.cells) {
     const Parameters& parameters = cell.parameters;
     if (parameters.has("association") || parameters.number("targets") < 4.0) continue;
     std::array<std::array<double, kRadarScans>, 4> sums{}, counts{};
-    for (int run = 0; run < kRuns; ++run) {
-      const Errors errors = errors_of_run(cell, seed, run);
+    for (int run = 0; run < std::min(drawn.runs, cell.max_runs); ++run) {
+      const Errors errors = errors_of_run(cell, drawn.seed, run);
       for (std::size_t i = 0; i < errors.size(); ++i) {
         for (std::size_t scan = 0; scan < kRadarScans; ++scan) {
           if (!std::isfinite(errors[i][scan])) continue;

@@ -61,6 +61,25 @@ struct Estimate {
 };
 using Estimates = std::map<std::string, Estimate>;
 
+/// What the pictures of an experiment show: the cells that `--only` left, run as its tables were.
+struct Drawn {
+  std::uint64_t seed = 1;
+  int runs = 1;             ///< Of a curve over time, where a cell has no cap of its own.
+  int jobs = 1;             ///< Threads; 0: all cores.
+  std::vector<Cell> cells;  ///< Not empty.
+  std::string directory;
+
+  /// The cells of this method, in their order.
+  std::vector<Cell> of_method(const std::string& method) const;
+  /// The cells with the parameters of `cell`, whatever their method, in their order.
+  std::vector<Cell> like(const Cell& cell) const;
+};
+
+/// The cell that shares most of the wanted parameters, the first of equals: what a picture shows where
+/// `--only` leaves its usual cell out.
+/// @param cells not empty.
+const Cell& nearest_cell(const std::vector<Cell>& cells, const Parameters& wanted);
+
 class Experiment {
  public:
   virtual ~Experiment() = default;
@@ -80,8 +99,8 @@ class Experiment {
   virtual Pooling pooling(const std::string& /*metric*/) const { return Pooling::mean; }
   /// Adds figures that follow from the pooled ones of a cell.
   virtual void complete(Estimates& /*estimates*/) const {}
-  /// Further files for the plots (one window drawn, an OSPA curve over time).
-  virtual void write_extras(std::uint64_t /*seed*/, const std::string& /*directory*/) const {}
+  /// Further files for the plots (one window drawn, an OSPA curve over time), of the drawn cells alone.
+  virtual void write_extras(const Drawn& /*drawn*/) const {}
   virtual std::string plot_script() const {
     return {};
   }  ///< In the tools directory; called with the output directory.

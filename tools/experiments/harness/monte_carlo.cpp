@@ -1,16 +1,15 @@
 #include "tools/experiments/harness/monte_carlo.hpp"
 
 #include <algorithm>
-#include <atomic>
+#include <boost/math/distributions/students_t.hpp>
 #include <charconv>
 #include <cmath>
-#include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "core/input_error.hpp"
 #include "tools/cli/progress_bar.hpp"
+#include "tools/experiments/harness/parallel.hpp"
 #include "tools/experiments/harness/run_log.hpp"
 
 namespace lookout::tools {
@@ -50,40 +49,22 @@ std::vector<Task> make_tasks(const std::vector<Cell>& cells, int runs) {
 /// All finished runs: element [cell][run]. Threads write to elements of their own.
 using RunTable = std::vector<std::vector<std::optional<Metrics>>>;
 
-/// The run loop. Tasks share nothing but the counter, the first error and the log; under MPI each rank would
-/// take a slice of `tasks` and send its rows of `table` home.
+/// The run loop. Tasks share nothing but the log and the bar; under MPI each rank would take a slice of
+/// `tasks` and send its rows of `table` home.
 void run_tasks(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<Task>& tasks,
                const MonteCarloOptions& options, RunLog& log, RunTable& table) {
-  std::atomic<std::size_t> next{0}, done{0};
   std::mutex mutex;
-  std::exception_ptr failure;
+  std::size_t done = 0;
   ProgressBar bar(tasks.size());
-  const auto work = [&] {
-    for (std::size_t i = next++; i < tasks.size(); i = next++) {
-      const auto [cell, run] = tasks[i];
-      auto& slot = table[cell][static_cast<std::size_t>(run)];
-      try {
-        if (!slot) {
-          slot = experiment.run(cells[cell], options.seed, run);
-          const std::lock_guard lock(mutex);
-          log.append(cells[cell], run, *slot);
-        }
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        if (!failure) failure = std::current_exception();
-        next = tasks.size();
-      }
-      const std::lock_guard lock(mutex);
-      bar.show(++done);
-    }
-  };
-  const auto cores = std::max(1U, std::thread::hardware_concurrency());
-  const auto jobs = options.jobs > 0 ? static_cast<unsigned>(options.jobs) : cores;
-  std::vector<std::jthread> threads;
-  for (unsigned k = 1; k < jobs; ++k) threads.emplace_back(work);
-  work();
-  threads.clear();
-  if (failure) std::rethrow_exception(failure);
+  run_in_parallel(tasks.size(), options.jobs, [&](std::size_t i) {
+    const auto [cell, run] = tasks[i];
+    auto& slot = table[cell][static_cast<std::size_t>(run)];
+    const bool is_new = !slot;
+    if (is_new) slot = experiment.run(cells[cell], options.seed, run);
+    const std::lock_guard lock(mutex);
+    if (is_new) log.append(cells[cell], run, *slot);
+    bar.show(++done);
+  });
 }
 
 /// Beside the mean of the scans' OSPA the statistic that [Yan2018] prints, where a cell has both parts.
@@ -130,6 +111,12 @@ bool passes(const Cell& cell, const std::vector<Filter>& filters) {
   });
 }
 
+double half_width_95(double standard_error, int runs) {
+  if (runs < 2) return std::nan("");
+  constexpr double kUpper = 0.975;  // 2.5 % lie above a two-sided interval of 95 %
+  return boost::math::quantile(boost::math::students_t(runs - 1.0), kUpper) * standard_error;
+}
+
 Estimate pool(const std::vector<Metric>& runs, Pooling pooling) {
   const bool square = pooling == Pooling::root_mean_square;
   double weights = 0.0, sum = 0.0;
@@ -150,9 +137,9 @@ Estimate pool(const std::vector<Metric>& runs, Pooling pooling) {
   }
   const double n = count;
   const double error = count > 1 ? std::sqrt(spread * n / (n - 1.0)) / weights : std::nan("");
-  if (!square) return {mean, 1.96 * error, count};
+  if (!square) return {mean, half_width_95(error, count), count};
   const double root = std::sqrt(mean);
-  return {root, root > 0.0 ? 1.96 * error / (2.0 * root) : 0.0, count};
+  return {root, root > 0.0 ? half_width_95(error, count) / (2.0 * root) : 0.0, count};
 }
 
 Estimate norm_of_means(const std::vector<Metric>& first, const std::vector<Metric>& second) {
@@ -165,14 +152,19 @@ Estimate norm_of_means(const std::vector<Metric>& first, const std::vector<Metri
   return pool(along, Pooling::mean);
 }
 
-ExperimentResults run_monte_carlo(const Experiment& experiment, const std::string& name,
-                                  const MonteCarloOptions& options) {
+std::vector<Cell> chosen_cells(const Experiment& experiment, const std::string& name,
+                               const std::vector<Filter>& only) {
   std::vector<Cell> cells;
   for (const auto& cell : experiment.cells()) {
-    if (passes(cell, options.only)) cells.push_back(cell);
+    if (passes(cell, only)) cells.push_back(cell);
   }
   if (cells.empty()) throw core::InputError("--only: no cell of " + name + " has these values");
+  return cells;
+}
 
+ExperimentResults run_monte_carlo(const Experiment& experiment, const std::string& name,
+                                  const MonteCarloOptions& options) {
+  const std::vector<Cell> cells = chosen_cells(experiment, name, options.only);
   RunTable table(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     table[i].resize(static_cast<std::size_t>(std::min(options.runs, cells[i].max_runs)));
@@ -183,7 +175,7 @@ ExperimentResults run_monte_carlo(const Experiment& experiment, const std::strin
   }
   run_tasks(experiment, cells, make_tasks(cells, options.runs), options, log, table);
 
-  ExperimentResults results{name, options.seed, options.runs, {}};
+  ExperimentResults results{name, options.seed, options.runs, {}, {}};
   for (std::size_t i = 0; i < cells.size(); ++i)
     results.cells.push_back(pool_cell(experiment, cells[i], table[i]));
   return results;

@@ -39,7 +39,18 @@ struct ExperimentResults {
   std::uint64_t seed = 1;
   int runs = 0;
   std::vector<CellResult> cells;
+  std::string command;  ///< What was typed; empty where a program of one's own called.
 };
+
+/// The cells of an experiment that pass the filters, in its order.
+/// @throws core::InputError where none does.
+std::vector<Cell> chosen_cells(const Experiment& experiment, const std::string& name,
+                               const std::vector<Filter>& only);
+
+/// Half width of the two-sided 95 % interval of a mean over `runs` independent runs, by Student's t with
+/// runs - 1 degrees of freedom; NaN from fewer than two.
+/// @param standard_error of the mean.
+double half_width_95(double standard_error, int runs);
 
 /// Pools the runs of one metric; runs without a value are left out.
 Estimate pool(const std::vector<Metric>& runs, Pooling pooling);

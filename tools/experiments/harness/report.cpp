@@ -22,11 +22,16 @@ std::string to_text(const ParameterValue& value) {
   return core::shortest(std::get<double>(value));
 }
 
+ordered_json to_json(const Parameters& parameters) {
+  ordered_json json = ordered_json::object();
+  for (const auto& [name, value] : parameters.values())
+    std::visit([&, &key = name](const auto& v) { json[key] = v; }, value);
+  return json;
+}
+
 ordered_json to_json(const CellResult& result) {
-  ordered_json parameters = ordered_json::object(), metrics = ordered_json::object(),
-               paper = ordered_json::object();
-  for (const auto& [name, value] : result.cell.parameters.values())
-    std::visit([&, &key = name](const auto& v) { parameters[key] = v; }, value);
+  ordered_json metrics = ordered_json::object(), paper = ordered_json::object();
+  const ordered_json parameters = to_json(result.cell.parameters);
   for (const auto& [name, estimate] : result.metrics)
     metrics[name] = {{"mean", estimate.mean}, {"ci95", estimate.ci95}, {"runs", estimate.runs}};
   for (const auto& [name, value] : result.cell.paper) paper[name] = value;
@@ -35,6 +40,8 @@ ordered_json to_json(const CellResult& result) {
 
 void write_json(const ExperimentResults& results, const std::string& path) {
   ordered_json root{{"experiment", results.name}, {"seed", results.seed}, {"runs", results.runs}};
+  root["command"] = results.command;
+  root["commit"] = version();
   root["cells"] = ordered_json::array();
   for (const auto& cell : results.cells) root["cells"].push_back(to_json(cell));
   core::write_text_file(path, root.dump(1) + "\n");
@@ -117,9 +124,9 @@ void write_report(const Experiment& experiment, const ExperimentResults& results
   std::ostringstream file;
   file << "# " << results.name << "\n\n" << experiment.summary() << "\n\n";
   file << "Scenario " << experiment.scenario() << ", seed " << results.seed << ", " << results.runs
-       << " runs (fewer where a method is capped), commit " << version() << ", command `lookout experiment "
-       << results.name << " --runs " << results.runs << " --seed " << results.seed << "`.\n";
-  file << "Each figure: mean ± half width of its 95 % interval (the paper's figure).\n";
+       << " runs (fewer where a method is capped).\n\nCommit: " << version() << "\n\n    " << results.command
+       << "\n\n"
+       << "Each figure: mean ± half width of its 95 % interval by Student's t (the paper's figure).\n";
   std::vector<std::string> methods;
   for (const auto& result : results.cells) {
     if (std::find(methods.begin(), methods.end(), result.cell.method) == methods.end())
@@ -136,6 +143,12 @@ void write_results(const Experiment& experiment, const ExperimentResults& result
   write_json(results, directory + "/results.json");
   write_csv(results, directory + "/results.csv");
   write_report(experiment, results, directory + "/report.md");
+}
+
+void write_pictured(const Cell& cell, const Drawn& drawn, int runs, const std::string& name) {
+  const ordered_json root{
+      {"parameters", to_json(cell.parameters)}, {"seed", drawn.seed}, {"runs", runs}, {"commit", version()}};
+  core::write_text_file(drawn.directory + "/pictured_" + name + ".json", root.dump(1) + "\n");
 }
 
 }  // namespace lookout::tools

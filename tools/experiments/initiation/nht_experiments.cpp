@@ -100,7 +100,7 @@ class NhtSimulated : public Experiment {
   std::string plot_script() const override { return "plot_initiators.py"; }
   std::vector<Cell> cells() const override;
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
-  void write_extras(std::uint64_t seed, const std::string& directory) const override;
+  void write_extras(const Drawn& drawn) const override;
 
  private:
   static FanSceneParams scene_of(const Cell& cell);
@@ -150,14 +150,15 @@ Metrics NhtSimulated::run(const Cell& cell, std::uint64_t seed, int run) const {
 }
 
 /// The accumulators of the first run of Situations I to IV, for pictures like the paper's Fig. 3 to 10.
-void NhtSimulated::write_extras(std::uint64_t seed, const std::string& directory) const {
+void NhtSimulated::write_extras(const Drawn& drawn) const {
   for (const char* situation : {"I", "II", "III", "IV"}) {
     for (const Contender& contender : kContenders) {
-      if (contender.ideal == 0.0) continue;
+      if (contender.ideal == 0.0 || drawn.of_method(contender.method).empty()) continue;
       const Cell cell = cell_of(contender, situation, "consistent", kWholeClutter);
-      core::Random random(seed, core::RandomStream::experiment, 0);
+      core::Random random(drawn.seed, core::RandomStream::experiment, 0);
       const InitiationScene scene = fan_scene(scene_of(cell), random);
-      write_accumulator(contender, scene, config_of(cell, 1.0, 0.0), directory + "/accumulator_" + situation);
+      write_accumulator(contender, scene, config_of(cell, 1.0, 0.0),
+                        drawn.directory + "/accumulator_" + situation);
     }
   }
 }
@@ -173,7 +174,7 @@ class NhtReal : public Experiment {
   std::string plot_script() const override { return "plot_initiators.py"; }
   std::vector<Cell> cells() const override;
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
-  void write_extras(std::uint64_t seed, const std::string& directory) const override;
+  void write_extras(const Drawn& drawn) const override;
 
  private:
   static constexpr double kPicturedClutter = 10.0;  ///< Plots a scan, as the paper's.
@@ -200,14 +201,14 @@ std::vector<Cell> NhtReal::cells() const {
 }
 
 /// The accumulators of the first run, for pictures like the paper's Fig. 14 and 15.
-void NhtReal::write_extras(std::uint64_t seed, const std::string& directory) const {
+void NhtReal::write_extras(const Drawn& drawn) const {
   for (const Contender& contender : kContenders) {
-    if (contender.ideal == 0.0) continue;
-    core::Random random(seed, core::RandomStream::experiment, 0);
+    if (contender.ideal == 0.0 || drawn.of_method(contender.method).empty()) continue;
+    core::Random random(drawn.seed, core::RandomStream::experiment, 0);
     const InitiationScene scene = real_scene(kPicturedClutter, kRealPositionSigma, random);
     write_accumulator(contender, scene,
                       config_of(cell_of(contender, kPicturedClutter), kRealPositionSigma, 0.0),
-                      directory + "/accumulator_real");
+                      drawn.directory + "/accumulator_real");
   }
 }
 

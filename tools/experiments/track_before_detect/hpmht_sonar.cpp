@@ -116,7 +116,7 @@ class HpmhtSonar : public Experiment {
   Pooling pooling(const std::string& metric) const override {
     return metric == "rmse" ? Pooling::root_mean_square : Pooling::mean;
   }
-  void write_extras(std::uint64_t seed, const std::string& directory) const override;
+  void write_extras(const Drawn& drawn) const override;
 };
 
 Cell cell_of(std::string_view method, const char* situation, double shape, double snr_db) {
@@ -158,10 +158,12 @@ Metrics HpmhtSonar::run(const Cell& cell, std::uint64_t seed, int run) const {
 
 /// One run at the level of the pictures: the last ping normalised, tracks with existence, truth; cells of the
 /// last ping for the overlay.
-void HpmhtSonar::write_extras(std::uint64_t seed, const std::string& directory) const {
+void HpmhtSonar::write_extras(const Drawn& drawn) const {
+  if (drawn.of_method("h_pmht").empty()) return;
+  const std::string& directory = drawn.directory;
   const sonar_sim::Scene scene =
       scene_of({{"situation", "five_targets"}, {"shape", 4.0}, {"snr_db", kPictureSnr}});
-  sonar_sim::SonarSimulator simulator(scene, seed);
+  sonar_sim::SonarSimulator simulator(scene, drawn.seed);
   tracking::ImageTracker tracker;
   tracking::RangeBackground background;
   core::CsvWriter tracks(directory + "/sonar_tracks.csv",

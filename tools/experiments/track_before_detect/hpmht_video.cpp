@@ -139,7 +139,7 @@ class HpmhtVideo : public Experiment {
   std::string plot_script() const override { return "plot_hpmht.py"; }
   std::vector<Cell> cells() const override;
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
-  void write_extras(std::uint64_t seed, const std::string& directory) const override;
+  void write_extras(const Drawn& drawn) const override;
 };
 
 std::vector<Cell> HpmhtVideo::cells() const {
@@ -183,8 +183,9 @@ Metrics HpmhtVideo::run(const Cell& cell, std::uint64_t seed, int run) const {
 }
 
 /// One video of scenario 5: a frame, and where each method thinks the aircraft is.
-void HpmhtVideo::write_extras(std::uint64_t seed, const std::string& directory) const {
-  const VideoRun video = make_video(kPictureScenario, false, seed, 0);
+void HpmhtVideo::write_extras(const Drawn& drawn) const {
+  const std::string& directory = drawn.directory;
+  const VideoRun video = make_video(kPictureScenario, false, drawn.seed, 0);
   const int size = video.scenario.size;
   GreyImage grey{size, size, video.samples[10].grey}, pdim{size, size, video.frames[9].values};
   for (double& pixel : grey.pixels) pixel *= kGreyScale;
@@ -198,7 +199,8 @@ void HpmhtVideo::write_extras(std::uint64_t seed, const std::string& directory) 
     csv.end_row();
   };
   for (std::size_t k = 1; k < video.samples.size(); ++k) write("truth", "none", k, video.samples[k].centroid);
-  for (const std::string method : {"h_pmht", "i_h_pmht_4", "i_h_pmht_1"})
+  for (const std::string method : {"h_pmht", "i_h_pmht_4", "i_h_pmht_1"}) {
+    if (drawn.of_method(method).empty()) continue;
     for (const std::string truncation : {"impute", "zero"}) {
       double cpu_ms = 0.0;
       const auto tracker =
@@ -206,6 +208,7 @@ void HpmhtVideo::write_extras(std::uint64_t seed, const std::string& directory) 
       const auto positions = follow(video, *tracker, cpu_ms);
       for (std::size_t k = 0; k < positions.size(); ++k) write(method, truncation, k + 1, positions[k]);
     }
+  }
   csv.close();
 }
 

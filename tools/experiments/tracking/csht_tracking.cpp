@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <string>
 
-#include "core/files/csv.hpp"
 #include "core/files/recording.hpp"
 #include "sonar_sim/scene.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/experiments/harness/paper_figures.hpp"
+#include "tools/experiments/harness/parallel.hpp"
+#include "tools/experiments/harness/report.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
+#include "tools/experiments/tracking/over_time.hpp"
 #include "tools/experiments/tracking/perfect_association.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"
 #include "tracking/metrics/scorer.hpp"
@@ -45,8 +47,18 @@ std::vector<Point> paper_points() {
   return points;
 }
 
+/// The paper's steps to the letter, under the tracker of `csht`.
+constexpr const char* kPrinted = "csht_printed";
+
 bool uses_window(const std::string& method) {
-  return method == "csht";
+  return method == "csht" || method == kPrinted;
+}
+
+/// Every tracker with its own estimator, and the printed estimator.
+std::vector<std::string> methods() {
+  std::vector<std::string> names = tracking::tracker_names();
+  names.emplace_back(kPrinted);
+  return names;
 }
 
 /// Trackers that use the sensor's probabilities, or estimate them where they are not told.
@@ -84,7 +96,7 @@ Cell variant(Cell cell, const std::string& parameter, const ParameterValue& valu
 void add_cells(const std::string& method, const std::string& clutter, const Point& point,
                std::vector<Cell>& cells, std::vector<Cell>& further) {
   cells.push_back(make_cell(method, clutter, point, kPaperWindow));
-  if (uses_window(method) && in_long_window_row(point))
+  if (method == "csht" && in_long_window_row(point))
     further.push_back(make_cell(method, clutter, point, kLongWindow));
   if (!uses_figures(method)) return;
   further.push_back(variant(cells.back(), "sensor_figures", "unknown"));
@@ -100,7 +112,8 @@ sonar_sim::Scene scene_of(const Cell& cell) {
 std::unique_ptr<tracking::ScanPipeline> pipeline_of(const Cell& cell, const sonar_sim::Scene& scene,
                                                     std::uint64_t seed) {
   tracking::ChainParams params;
-  params.tracker.name = cell.method;
+  params.tracker.name = cell.method == kPrinted ? "csht" : cell.method;
+  if (cell.method == kPrinted) params.estimator.name = kPrinted;
   params.seed = seed;
   params.estimator.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
   core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
@@ -130,12 +143,13 @@ class CshtTracking : public Experiment {
   std::vector<Cell> cells() const override {
     std::vector<Cell> cells, further;
     for (const std::string clutter : {"literal", "light"}) {
-      for (const auto& method : tracking::tracker_names()) {
+      for (const auto& method : methods()) {
         for (const auto& point : paper_points()) add_cells(method, clutter, point, cells, further);
       }
     }
     const PaperFigures paper(kPaperTable);
-    for (auto& cell : cells) cell.paper = paper.at(cell.method, cell.parameters);
+    for (auto& cell : cells)
+      cell.paper = paper.at(cell.method == kPrinted ? "csht" : cell.method, cell.parameters);
     cells.insert(cells.end(), further.begin(), further.end());
     return cells;
   }
@@ -149,12 +163,17 @@ class CshtTracking : public Experiment {
     return metrics;
   }
 
-  void write_extras(std::uint64_t seed, const std::string& directory) const override {
+  void write_extras(const Drawn& drawn) const override {
     const Point middle{0.5, 0.5, kPaperSigma};  // the case of [Yan2018] Figs. 20 to 22
-    const auto scans = simulate(scene_of(make_cell("csht", "light", middle, kPaperWindow)), seed, 0);
-    write_truth_of(scans, directory + "/truth.csv");
-    for (const auto& method : tracking::tracker_names())
-      write_run(make_cell(method, "light", middle, kPaperWindow), scans, seed, directory);
+    const Cell cell = nearest_cell(drawn.cells, make_cell("csht", "light", middle, kPaperWindow).parameters);
+    write_truth_of(simulate(scene_of(cell), drawn.seed, 0), drawn.directory + "/truth.csv");
+    int runs = drawn.runs;
+    for (const Cell& own : drawn.like(cell)) {
+      runs = std::min(drawn.runs, own.max_runs);
+      write_first_run(own, drawn);
+      write_over_time(own, drawn, runs);
+    }
+    write_pictured(cell, drawn, runs, "run");
   }
 
  private:
@@ -164,22 +183,29 @@ class CshtTracking : public Experiment {
     core::write_truth(path, truth);
   }
 
-  static void write_run(const Cell& cell, const std::vector<TimedScan>& scans, std::uint64_t seed,
-                        const std::string& directory) {
-    const auto pipeline = pipeline_of(cell, scene_of(cell), run_seed(seed, 0));
-    const auto output = track(*pipeline, scans);
+  static TrackingOutput output_of(const Cell& cell, const std::vector<TimedScan>& scans, std::uint64_t seed,
+                                  int run) {
+    const auto pipeline = pipeline_of(cell, scene_of(cell), run_seed(seed, run));
+    return track(*pipeline, scans, cell.parameters.number("lag_s"));
+  }
+
+  static void write_first_run(const Cell& cell, const Drawn& drawn) {
+    const auto scans = simulate(scene_of(cell), drawn.seed, 0);
+    const auto output = output_of(cell, scans, drawn.seed, 0);
     std::vector<core::TrackList> lists;
-    tracking::Scorer scorer;
-    core::CsvWriter csv(directory + "/ospa_" + cell.method + ".csv",
-                        "time_s,total,localization,cardinality,num_truth,num_tracks");
-    for (std::size_t k = 0; k < scans.size(); ++k) {
+    for (std::size_t k = 0; k < output.tracks.size(); ++k)
       lists.push_back({scans[k].truth.utime, output.tracks[k]});
-      const auto& score = scorer.add(scans[k].truth, output.tracks[k]).position;
-      csv.time(scans[k].truth.utime).number(score.total).number(score.localization);
-      csv.number(score.cardinality).integer(score.num_truth).integer(score.num_tracks).end_row();
-    }
-    csv.close();
-    core::write_tracks(directory + "/tracks_" + cell.method + ".csv", lists);
+    core::write_tracks(drawn.directory + "/tracks_" + cell.method + ".csv", lists);
+  }
+
+  /// OSPA and its parts scan by scan, the mean over the runs with its interval.
+  static void write_over_time(const Cell& cell, const Drawn& drawn, int runs) {
+    std::vector<ScoredScans> all(static_cast<std::size_t>(runs));
+    run_in_parallel(all.size(), drawn.jobs, [&](std::size_t run) {
+      const auto scans = simulate(scene_of(cell), drawn.seed, static_cast<int>(run));
+      all[run] = score_scans(scans, output_of(cell, scans, drawn.seed, static_cast<int>(run)));
+    });
+    write_mean_over_time(all, drawn.directory + "/ospa_" + cell.method + ".csv");
   }
 };
 

@@ -1,20 +1,16 @@
 #include "tools/experiments/window/csht_window.hpp"
 
-#include <chrono>
-
-#include "core/files/csv.hpp"
 #include "core/files/recording.hpp"
 #include "csht/csht_estimator.hpp"
 #include "csht/estimator_registry.hpp"
 #include "sonar_sim/scene.hpp"
 #include "tools/cli/vote_matrices.hpp"
 #include "tools/experiments/harness/paper_figures.hpp"
+#include "tools/experiments/harness/report.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
-#include "tools/experiments/tracking/nees.hpp"
 #include "tools/experiments/tracking/sensor_knowledge.hpp"
 #include "tools/experiments/window/joint_window.hpp"
-#include "tools/experiments/window/least_squares_reference.hpp"
-#include "tracking/metrics/ospa.hpp"
+#include "tools/experiments/window/window_run.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -23,28 +19,6 @@ constexpr const char* kScene = "window_table2.yaml";
 constexpr int kWindowScans = 20;     // [Yan2018] section V.A
 constexpr int kUnknownRuns = 100;    // Each watches a hundred scans of another scene first.
 constexpr int kLongWindowRuns = 20;  // Of the methods that no long window helps.
-
-using Points = std::vector<Eigen::Vector2d>;
-
-/// Positions and velocities of a set of targets.
-struct Elements {
-  Points positions;
-  Points velocities;
-  void add(const Eigen::Vector4d& state) {
-    positions.push_back(state.head<2>());
-    velocities.push_back(state.tail<2>());
-  }
-};
-
-Elements visible_truth(const core::GroundTruth& truth) {
-  Elements elements;
-  for (const auto& target : truth.targets) {
-    if (!target.visible) continue;
-    elements.positions.push_back(target.position);
-    elements.velocities.push_back(target.velocity);
-  }
-  return elements;
-}
 
 /// What varies from cell to cell beside the method.
 struct Setting {
@@ -56,7 +30,7 @@ struct Setting {
   std::string sensor_figures = "known";
 };
 
-Cell cell_of(const std::string& method, const PaperFigures& paper, const Setting& setting) {
+Cell cell_of(const std::string& method, const Setting& setting) {
   Cell cell;
   cell.method = method;
   cell.parameters = {{"p_false_alarm", setting.p_false_alarm},
@@ -65,6 +39,11 @@ Cell cell_of(const std::string& method, const PaperFigures& paper, const Setting
                      {"window_scans", static_cast<double>(setting.window_scans)},
                      {"clutter", setting.clutter},
                      {"sensor_figures", setting.sensor_figures}};
+  return cell;
+}
+
+Cell cell_of(const std::string& method, const PaperFigures& paper, const Setting& setting) {
+  Cell cell = cell_of(method, setting);
   if (setting.window_scans == kWindowScans)
     cell.paper = paper.at(method == "sht" ? "sht" : "csht", cell.parameters);
   return cell;
@@ -122,7 +101,7 @@ class CshtWindow : public Experiment {
   std::string plot_script() const override { return "plot_window.py"; }
   std::vector<Cell> cells() const override;
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
-  void write_extras(std::uint64_t seed, const std::string& directory) const override;
+  void write_extras(const Drawn& drawn) const override;
 };
 
 std::vector<Cell> CshtWindow::cells() const {
@@ -135,28 +114,15 @@ std::vector<Cell> CshtWindow::cells() const {
   return cells;
 }
 
-/// The window's scans through the estimator; its answer to the newest, and what that one took.
-struct Answer {
-  std::vector<core::MotionElement> elements;
-  double time_ms = 0.0;
-};
-
-Answer estimate(csht::MotionEstimator& estimator, const std::vector<TimedScan>& scans) {
-  Answer answer;
-  for (const auto& timed : scans) {
-    const auto start = std::chrono::steady_clock::now();
-    const auto elements = estimator.update(timed.posed);
-    answer.time_ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    answer.elements.assign(elements.begin(), elements.end());
-  }
-  return answer;
+SceneVariant variant_of(const Cell& cell) {
+  const auto& p = cell.parameters;
+  return {p.number("p_false_alarm"), p.number("p_miss"), p.number("sigma"),
+          clutter_reading(p.text("clutter"))};
 }
 
 Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
   const auto& p = cell.parameters;
-  const SceneVariant variant{p.number("p_false_alarm"), p.number("p_miss"), p.number("sigma"),
-                             clutter_reading(p.text("clutter"))};
+  const SceneVariant variant = variant_of(cell);
   csht::EstimatorParams params;
   params.use = csht::EstimatorUse::window;
   params.window_scans = static_cast<int>(p.number("window_scans"));
@@ -168,53 +134,74 @@ Metrics CshtWindow::run(const Cell& cell, std::uint64_t seed, int run) const {
   params.first_estimate_scans = params.window_scans;
   const auto estimator =
       csht::make_estimator(cell.method, params, sonar, seed + static_cast<std::uint64_t>(run));
-  const Answer answer = estimate(*estimator, scans);
-
-  Elements found, reference;
-  for (const auto& element : answer.elements) found.add(element.state());
-  for (const auto& fit : least_squares_reference(scans, sonar)) reference.add(fit.state);
-  const Elements truth = visible_truth(scans.back().truth);
-  const bool count_right = found.positions.size() == truth.positions.size();
-  tracking::Ospa ospa;
-  Metrics metrics;
-  metrics["position_ospa"] = ospa(truth.positions, found.positions).total;
-  metrics["velocity_ospa"] = ospa(truth.velocities, found.velocities).total;
-  if (count_right) metrics["velocity_ospa_count_right"] = metrics["velocity_ospa"];
-  if (count_right && !answer.elements.empty())
-    metrics["nees"] = mean_nees(scans.back().truth, answer.elements);
-  metrics["count_correct"] = count_right ? 1.0 : 0.0;
-  metrics["bound"] = ospa(truth.positions, reference.positions).total;
-  metrics["velocity_bound"] = ospa(truth.velocities, reference.velocities).total;
-  metrics["over_bound"] = metrics["position_ospa"].value - metrics["bound"].value;
-  metrics["time_ms"] = answer.time_ms;
-  return metrics;
+  return score_window(scans, sonar, estimate_window(*estimator, scans));
 }
 
-/// The first window of the middle cell: light clutter for the methods that vote (detections, truth, what each
-/// makes of it, the vote matrices), literal clutter for the joint estimator.
-void CshtWindow::write_extras(std::uint64_t seed, const std::string& directory) const {
-  const auto scene = load_variant(kScene, {0.3, 0.3, 3.0, sonar_sim::ClutterReading::light});
-  const auto scans = simulate(scene, seed, 0);
-  const auto sonar = sonar_sim::known_params(scene, scene.platforms.front());
-  write_detections(scans, directory + "/window_detections.csv");
+/// One window of a cell: its scene as long as the window, the scans of run 0.
+struct DrawnWindow {
+  sonar_sim::Scene scene;
+  std::vector<TimedScan> scans;
+  core::SonarParams sonar;
+};
+
+DrawnWindow window_of(const Cell& cell, std::uint64_t seed) {
+  DrawnWindow window{load_variant(kScene, variant_of(cell)), {}, {}};
+  const double period = window.scene.platforms.front().sonar.params.scan_period;
+  begin_earlier(cell.parameters.number("window_scans") * period - window.scene.duration, window.scene);
+  window.scans = simulate(window.scene, seed, 0);
+  window.sonar = sonar_sim::known_params(window.scene, window.scene.platforms.front());
+  return window;
+}
+
+void write_window(const DrawnWindow& window, const std::string& directory) {
+  write_detections(window.scans, directory + "/window_detections.csv");
   std::vector<core::GroundTruth> truth;
-  for (const auto& timed : scans) truth.push_back(timed.truth);
+  for (const auto& timed : window.scans) truth.push_back(timed.truth);
   core::write_truth(directory + "/window_truth.csv", truth);
-  csht::CshtEstimator drawn(csht::CshtParams::window(), sonar);
-  drawn.keep_snapshots();
-  estimate(drawn, scans);
-  write_vote_matrices(drawn, directory);
-  for (const char* method : {"csht", "csht_printed", "sht"}) {
-    csht::EstimatorParams params;
-    params.use = csht::EstimatorUse::window;
-    const auto estimator = csht::make_estimator(method, params, sonar, seed);
-    const Answer answer = estimate(*estimator, scans);
-    core::write_elements(directory + "/window_" + method + ".csv",
-                         {{scans.back().posed.scan.utime, answer.elements}});
-  }
-  const auto literal = load_variant(kScene, {0.3, 0.3, 3.0, sonar_sim::ClutterReading::literal});
-  write_joint_window(simulate(literal, seed, 0), sonar_sim::known_params(literal, literal.platforms.front()),
-                     seed, directory);
+}
+
+void write_answer(const Cell& cell, const DrawnWindow& window, const Drawn& drawn) {
+  csht::EstimatorParams params;
+  params.use = csht::EstimatorUse::window;
+  params.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
+  const auto estimator = csht::make_estimator(cell.method, params, window.sonar, drawn.seed);
+  const WindowAnswer answer = estimate_window(*estimator, window.scans);
+  core::write_elements(drawn.directory + "/window_" + cell.method + ".csv",
+                       {{window.scans.back().posed.scan.utime, answer.elements}});
+}
+
+/// What every method but `joint` makes of the drawn cell that is nearest to (.3, .3), light clutter: the case
+/// of [Yan2018] Fig. 8 to 15. The vote matrices are those of `csht`.
+void write_voting_window(const Drawn& drawn) {
+  Drawn voting = drawn;
+  std::erase_if(voting.cells, [](const Cell& cell) { return cell.method == "joint"; });
+  if (voting.cells.empty()) return;
+  const Cell cell = nearest_cell(voting.cells, cell_of("csht", {.clutter = "light"}).parameters);
+  const DrawnWindow window = window_of(cell, drawn.seed);
+  write_window(window, drawn.directory);
+  csht::CshtParams params = csht::CshtParams::window();
+  params.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
+  csht::CshtEstimator estimator(params, window.sonar);
+  estimator.keep_snapshots();
+  estimate_window(estimator, window.scans);
+  write_vote_matrices(estimator, drawn.directory);
+  for (const Cell& own : voting.like(cell)) write_answer(own, window, drawn);
+  write_pictured(cell, drawn, 1, "window");
+}
+
+/// The joint estimator on the drawn cell that is nearest to (.3, .3), literal clutter.
+void write_joint_picture(const Drawn& drawn) {
+  const std::vector<Cell> cells = drawn.of_method("joint");
+  if (cells.empty()) return;
+  const Cell& cell = nearest_cell(cells, cell_of("joint", {.clutter = "literal"}).parameters);
+  const DrawnWindow window = window_of(cell, drawn.seed);
+  write_joint_window(window.scans, window.sonar, drawn.seed, drawn.directory);
+  write_pictured(cell, drawn, 1, "joint");
+}
+
+void CshtWindow::write_extras(const Drawn& drawn) const {
+  write_voting_window(drawn);
+  write_joint_picture(drawn);
 }
 
 }  // namespace

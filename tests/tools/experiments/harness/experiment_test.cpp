@@ -30,5 +30,18 @@ TEST(Experiment, ARunDependsOnSeedAndNumberAlone) {
   EXPECT_GT(different, 0);
 }
 
+TEST(Drawn, ShowsTheNearestOfTheCellsThatAreLeft) {
+  Drawn drawn;
+  drawn.cells = {{"a", {{"p", 0.1}, {"s", 3.0}}, {}},
+                 {"a", {{"p", 0.3}, {"s", 3.0}}, {}},
+                 {"b", {{"p", 0.3}, {"s", 3.0}}, {}},
+                 {"b", {{"p", 0.3}, {"s", 1.0}}, {}}};
+  const Cell& cell = nearest_cell(drawn.cells, {{"p", 0.3}, {"s", 3.0}});
+  EXPECT_EQ(cell.parameters.number("p"), 0.3);
+  EXPECT_EQ(drawn.like(cell).size(), 2U);  // one of each method
+  EXPECT_EQ(drawn.of_method("b").size(), 2U);
+  EXPECT_EQ(nearest_cell(drawn.cells, {{"p", 0.9}, {"s", 1.0}}).method, "b");
+}
+
 }  // namespace
 }  // namespace lookout::tools

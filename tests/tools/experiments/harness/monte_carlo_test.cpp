@@ -67,6 +67,13 @@ TEST(MonteCarlo, BothStatisticsOfOspaStandSideBySide) {
   EXPECT_DOUBLE_EQ(metrics.at("ospa_of_means").mean, 2.5);
 }
 
+// Student's t with two degrees of freedom: its .975 quantile is 4.302653 (any table).
+TEST(MonteCarlo, FewRunsHaveTheWiderIntervalOfStudent) {
+  EXPECT_NEAR(pool({1.0, 2.0, 3.0}, Pooling::mean).ci95, 4.302653 / std::sqrt(3.0), 1e-5);
+  EXPECT_TRUE(std::isnan(pool({1.0}, Pooling::mean).ci95));
+  EXPECT_NEAR(half_width_95(1.0, 1'000'000), 1.959964, 1e-5);  // the normal's
+}
+
 TEST(MonteCarlo, FiltersOrWithinAKeyAndBetweenKeys) {
   const auto cells = DiceExperiment().cells();
   const auto passing = [&](std::vector<std::string> words) {

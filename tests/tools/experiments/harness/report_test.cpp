@@ -7,6 +7,7 @@
 
 #include "tests/support/temporary_directory.hpp"
 #include "tests/tools/experiments/harness/dice_experiment.hpp"
+#include "tools/cli/version.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -23,7 +24,9 @@ TEST(Report, WritesTheContractsFields) {
   MonteCarloOptions options;
   options.runs = 20;
   options.seed = 9;
-  write_results(dice, run_monte_carlo(dice, "dice", options), folder.path());
+  ExperimentResults results = run_monte_carlo(dice, "dice", options);
+  results.command = "lookout experiment dice --runs 20 --seed 9 --only sides=6 --out there";
+  write_results(dice, results, folder.path());
 
   const auto json = nlohmann::json::parse(text_of(folder.file("results.json")));
   EXPECT_EQ(json["experiment"], "dice");
@@ -36,7 +39,12 @@ TEST(Report, WritesTheContractsFields) {
   EXPECT_TRUE(json["cells"][0]["metrics"]["eyes"]["ci95"].is_number());
   EXPECT_TRUE(text_of(folder.file("results.csv"))
                   .starts_with("method,sides,colour,metric,mean,ci95,runs,paper\ndie,6,red,"));
-  EXPECT_NE(text_of(folder.file("report.md")).find("seed 9, 20 runs"), std::string::npos);
+  EXPECT_EQ(json["command"], results.command);
+  EXPECT_EQ(json["commit"], version());
+  const std::string report = text_of(folder.file("report.md"));
+  EXPECT_NE(report.find("seed 9, 20 runs"), std::string::npos);
+  EXPECT_NE(report.find("\n    " + results.command + "\n"), std::string::npos);
+  EXPECT_NE(report.find("\nCommit: " + version() + "\n"), std::string::npos);
 }
 
 }  // namespace
