@@ -15,6 +15,7 @@
 #include "tools/experiments/tracking/manoeuvres.hpp"
 #include "tools/experiments/tracking/radar_recordings.hpp"
 #include "tools/experiments/tracking/sea.hpp"
+#include "tools/experiments/window/csht_ablation.hpp"
 #include "tools/experiments/window/csht_window.hpp"
 
 namespace lookout::tools {
@@ -22,6 +23,7 @@ namespace {
 
 const std::array kExperiments{
     ExperimentEntry{"csht-window", make_csht_window},
+    ExperimentEntry{"csht-ablation", make_csht_ablation},
     ExperimentEntry{"csht-tracking", make_csht_tracking},
     ExperimentEntry{"limits", make_limits},
     ExperimentEntry{"manoeuvres", make_manoeuvres},
