@@ -61,6 +61,21 @@ TEST(CshtWindow, FindsTheExactSceneWithinAFifthOfAGridStep) {
   }
 }
 
+// Cluttered cells: the means of docs/results/2026-11-30-csht-window.md (1.27, 2.0 and 2.8 m) plus two
+// standard errors of as few runs as these.
+TEST(CshtWindow, StaysWithinItsFiguresInClutter) {
+  const auto experiment = make_csht_window();
+  EXPECT_LE(mean(*experiment, cell_of("csht", 0.3, 0.3, "light"), "position_ospa", 30), 1.8);
+  EXPECT_LE(mean(*experiment, cell_of("csht", 0.5, 0.5, "light"), "position_ospa", 30), 3.2);
+  EXPECT_LE(mean(*experiment, cell_of("csht", 0.1, 0.3, "literal"), "position_ospa", 20), 3.5);
+}
+
+// On the grid of csht, made for Gaussian votes, the standard Hough transform has a velocity OSPA of 8 m/s
+// here.
+TEST(CshtWindow, TheStandardTransformHasAGridOfItsOwn) {
+  EXPECT_LE(mean(*make_csht_window(), cell_of("sht", 0.1, 0.1, "light"), "velocity_ospa", 40), 5.5);
+}
+
 // 20 points of the paper's tables, three methods, both readings; each with the paper's figure.
 TEST(CshtWindow, HoldsThePapersCells) {
   const auto cells = make_csht_window()->cells();
