@@ -25,9 +25,9 @@ def check(condition, what):
         sys.exit(1)
 
 
-def reproduce(page):
-    return subprocess.run([ROOT / "tools/reproduce", page, "--program", LOOKOUT, "--jobs", "1"], capture_output=True, text=True,
-                          check=False)
+def reproduce(page, *words):
+    words = words or ("--program", LOOKOUT, "--jobs", "1")
+    return subprocess.run([ROOT / "tools/reproduce", page, *words], capture_output=True, text=True, check=False)
 
 
 def page_of(folder, rows):
@@ -58,10 +58,16 @@ def main():
         page.write_text(text)
         same = reproduce(page)
         check(same.returncode == 0 and "all 4 figures equal" in same.stdout, f"the page comes out again: {same.stdout}{same.stderr}")
+        out.rename(folder / "window")
         page.write_text(text.replace(" ± ", " ± 9", 1))
-        other = reproduce(page)
+        other = reproduce(page, "--results", folder)
         check(other.returncode == 1 and "1 of 4 figures differ" in other.stdout, "a changed figure is found")
         check("page.md:7: 0.1, 0.1: " in other.stdout, f"and named: {other.stdout}")
+        reproduce(page, "--results", folder, "--write")
+        check(page.read_text() == text, "--write puts the figure right")
+        page.write_text(text.split("| P_M")[0] + "After.\n")
+        reproduce(page, "--results", folder, "--write")
+        check(page.read_text() == text + "\nAfter.\n", f"and fills an empty page: {page.read_text()}")
         page.write_text(text.replace("Commit: ", ""))
         refused = reproduce(page)
         check(refused.returncode == 2 and "expected a line `Commit:" in refused.stderr, "a page without a commit is refused")
