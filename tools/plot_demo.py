@@ -8,13 +8,11 @@ import math
 import pathlib
 import sys
 
-import matplotlib
+from matplotlib.collections import PolyCollection
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.collections import PolyCollection  # noqa: E402
+from plot_style import plt, save_both
 
-TRUTH_STYLE = dict(color="0.3", linewidth=5, alpha=0.35, solid_capstyle="round", zorder=3)
+TRUTH_STYLE = dict(color="0.3", linestyle="-", linewidth=5, alpha=0.35, solid_capstyle="round", zorder=3)
 COLOURS = plt.get_cmap("tab10").colors
 
 
@@ -50,7 +48,7 @@ def draw_fan(axes, vehicle, sonar, label):
     outline += [(east + sonar["max_range"] * math.sin(a), north + sonar["max_range"] * math.cos(a)) for a in angles]
     outline.append((east, north))
     axes.fill(*zip(*outline), color="tab:blue", alpha=0.07, label=label)
-    axes.plot(*zip(*outline), color="tab:blue", linewidth=0.6, alpha=0.5)
+    axes.plot(*zip(*outline), color="tab:blue", linestyle="-", linewidth=0.6, alpha=0.5)
 
 
 def plot_tracks(folder):
@@ -71,28 +69,27 @@ def plot_tracks(folder):
     axes.set_xlabel("east [m]")
     axes.set_ylabel("north [m]")
     axes.set_aspect("equal")
-    axes.set_title("Confirmed tracks, numbered, over the truth")
     axes.legend(loc="lower left", fontsize=8)
-    figure.savefig(folder / "tracks.png", dpi=130, bbox_inches="tight")
+    save_both(figure, folder / "tracks.png")
 
 
 def plot_ospa(folder):
     table = rows(folder / "ospa.csv")
     time = [float(row["time_s"]) for row in table]
     figure, (distance, count) = plt.subplots(2, 1, figsize=(9, 6), sharex=True, height_ratios=(2, 1))
-    for name, style in (("total", dict(color="k", linewidth=1.5)), ("cardinality", dict(color="tab:red")),
-                        ("localization", dict(color="tab:blue"))):
+    for name, style in (("total", dict(color="k", linestyle="-", linewidth=1.5)), ("cardinality", dict(color="tab:red", linestyle="--")),
+                        ("localization", dict(color="tab:blue", linestyle=":"))):
         distance.plot(time, [float(row[name]) for row in table], label=name, **style)
     distance.set_ylabel("OSPA [m]")
     distance.legend()
     distance.grid(alpha=0.3)
-    count.step(time, [int(row["num_truth"]) for row in table], "0.55", where="post", linewidth=3, label="targets")
-    count.step(time, [int(row["num_tracks"]) for row in table], "tab:green", where="post", label="tracks")
+    count.step(time, [int(row["num_truth"]) for row in table], "0.55", linestyle="-", where="post", linewidth=3, label="targets")
+    count.step(time, [int(row["num_tracks"]) for row in table], "tab:green", linestyle="--", where="post", label="tracks")
     count.set_xlabel("time [s]")
     count.set_ylabel("number")
     count.legend()
     count.grid(alpha=0.3)
-    figure.savefig(folder / "ospa.png", dpi=130, bbox_inches="tight")
+    save_both(figure, folder / "ospa.png")
 
 
 def cell_boxes(cells):
@@ -112,8 +109,9 @@ def draw_votes(figure, axes, axis, cells, centres):
     kept = [row for row in cells if float(row["votes"]) > float(row["threshold"])]
     axes.plot([float(r["intercept_m"]) for r in kept], [float(r["velocity_mps"]) for r in kept], "w.", markersize=1.5,
               label="above the primary threshold")
-    axes.plot([float(r["intercept_m"]) for r in centres], [float(r["velocity_mps"]) for r in centres], "r+",
-              markersize=11, markeredgewidth=2, label="class centres")
+    if centres:
+        axes.plot([float(r["intercept_m"]) for r in centres], [float(r["velocity_mps"]) for r in centres], "r+",
+                  markersize=11, markeredgewidth=2, label="class centres")
     axes.autoscale_view()
     axes.set_xlabel(f"{axis} at the middle of the window [m]")
     axes.set_ylabel(f"{axis} velocity [m/s]")
@@ -127,8 +125,7 @@ def plot_votes(folder):
         cells = [row for row in votes if row["axis"] == axis]
         if cells:
             draw_votes(figure, axes, axis, cells, [row for row in classes if row["axis"] == axis])
-    figure.suptitle("Vote matrices of one window and the classes that fuzzy ISODATA finds")
-    figure.savefig(folder / "votes.png", dpi=130, bbox_inches="tight")
+    save_both(figure, folder / "votes.png")
 
 
 def main():

@@ -61,9 +61,9 @@ def paths_by(rows, x, y):
 
 def draw_tracks(axis, truth, tracks, x, y):
     for path in paths_by(truth, x, y).values():
-        axis.plot(*zip(*path), color="0.87", linewidth=5, solid_capstyle="round")
+        axis.plot(*zip(*path), color="0.87", linestyle="-", linewidth=5, solid_capstyle="round")
     for path in paths_by([row for row in truth if row["visible"] == "1"], x, y).values():
-        axis.plot(*zip(*path), color="0.7", linewidth=5, solid_capstyle="round")
+        axis.plot(*zip(*path), color="0.7", linestyle="-", linewidth=5, solid_capstyle="round")
     confirmed = [row for row in tracks if row["status"] == "confirmed"]
     for index, path in enumerate(paths_by(confirmed, x, y).values()):
         axis.plot(*zip(*path), markevery=20, **style(index, markersize=3))

@@ -17,7 +17,7 @@ from plot_demo import draw_votes
 
 WINDOW_OF_THE_PAPER = 20
 METRICS = {"position_ospa": ("position OSPA [m]", "bound"), "velocity_ospa": ("velocity OSPA [m/s]", "velocity_bound")}
-TRUTH = {"color": "0.75", "linewidth": 5, "solid_capstyle": "round", "zorder": 0}
+TRUTH = {"color": "0.75", "linestyle": "-", "linewidth": 5, "solid_capstyle": "round", "zorder": 0}
 AXES = (("north", "n"), ("east", "e"))
 
 
@@ -51,7 +51,7 @@ def draw_lines(axis, cells, key, metric):
                       [c["metrics"][metric]["ci95"] or 0.0 for c in own], capsize=2, label=method, **style(index))
     first = sorted((c for c in cells if c["method"] == methods[0]), key=lambda c: c["parameters"][key])
     axis.plot([c["parameters"][key] for c in first], [c["metrics"][METRICS[metric][1]]["mean"] for c in first],
-              color="0.5", linewidth=3, alpha=0.5, label="least squares, associated")
+              color="0.5", linestyle="-", linewidth=3, alpha=0.5, label="least squares, associated")
     for method, name, marker in (("csht", "paper, CSHT", "*"), ("sht", "paper, SHT", "p")):
         paper = [(c["parameters"][key], c["paper"][metric]) for c in cells
                  if c["method"] == method and metric in c["paper"]]
@@ -73,7 +73,7 @@ def plot_over_misses(album, cells, clutter, metric, name):
     axes[0][0].set_ylabel(METRICS[metric][0])
     axes[0][-1].legend(fontsize=8, loc="center left", bbox_to_anchor=(1.02, 0.5))
     album.save(figure, f"{name}_{clutter}", f"{METRICS[metric][0]} over the miss rate, Table 2 scene, window of 20 scans, "
-               f"sigma 3 m, {clutter} clutter; bars: 95 % intervals. Paper's Fig. {name[-2:]}.")
+               f"sigma 3 m, {clutter} clutter; bars: 95 % intervals. Paper's Fig. {int(name[-2:])}.")
 
 
 def plot_over_sigma(album, cells, clutter, metric, name):
@@ -87,7 +87,7 @@ def plot_over_sigma(album, cells, clutter, metric, name):
     axis.legend(fontsize=7)
     axis.grid(alpha=0.3)
     album.save(figure, f"{name}_{clutter}", f"{METRICS[metric][0]} over sigma, Table 2 scene, P_F = P_M = 0.3, {clutter} "
-               f"clutter; bars: 95 % intervals. Paper's Fig. {name[-2:]}.")
+               f"clutter; bars: 95 % intervals. Paper's Fig. {int(name[-2:])}.")
 
 
 def paths_by_id(rows):
@@ -129,7 +129,7 @@ def plot_samples(album, directory, words):
     for (coordinate, letter), name in zip(AXES, ("yan2018_fig08", "yan2018_fig13")):
         figure, axis = plt.subplots(figsize=(6, 4.2))
         draw_samples(axis, detections, truth, coordinate)
-        album.save(figure, name, f"Samples in {letter} and t, grey: the targets ({words}). Paper's Fig. {name[-2:]}.")
+        album.save(figure, name, f"Samples in {letter} and t, grey: the targets ({words}). Paper's Fig. {int(name[-2:])}.")
     for method, names in (("sht", ("yan2018_fig10", "yan2018_fig14")), ("csht", ("yan2018_fig12", "yan2018_fig15")),
                           ("csht_printed", ("fits_printed_north", "fits_printed_east"))):
         if not (directory / f"window_{method}.csv").exists():
@@ -139,7 +139,7 @@ def plot_samples(album, directory, words):
             figure, axis = plt.subplots(figsize=(6, 4.2))
             draw_samples(axis, detections, truth, coordinate)
             draw_fits(axis, elements, times, coordinate)
-            paper = f" Paper's Fig. {name[-2:]}." if name[-2:].isdigit() else ""
+            paper = f" Paper's Fig. {int(name[-2:])}." if name[-2:].isdigit() else ""
             album.save(figure, name, f"The {len(elements)} lines that {method} finds in {letter} and t ({words}).{paper}")
 
 
