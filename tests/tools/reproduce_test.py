@@ -33,7 +33,7 @@ def reproduce(page, *words):
 def page_of(folder, rows):
     chosen = [row for row in rows if row["metric"] == "position_ospa"]
     grid = paper_tables.as_markdown(paper_tables.grid(chosen, ["position_ospa"]))
-    return (f"# A page\n\nCommit: 0000000\n\n    {' '.join(COMMAND)} --out {folder}/window\n\n"
+    return (f"# A page\n\nCommit: 0000000 No such subject\n\n    {' '.join(COMMAND)} --out {folder}/window\n\n"
             f"<!-- grid window figures=position_ospa where=method=csht -->\n\n{grid}\n")
 
 
@@ -68,6 +68,8 @@ def main():
         page.write_text(text.split("| P_M")[0] + "After.\n")
         reproduce(page, "--results", folder, "--write")
         check(page.read_text() == text + "\nAfter.\n", f"and fills an empty page: {page.read_text()}")
+        unknown = subprocess.run([ROOT / "tools/reproduce", page], capture_output=True, text=True, check=False)
+        check(unknown.returncode == 2 and "is not in this repository" in unknown.stderr, f"an unknown commit is told: {unknown.stderr}")
         page.write_text(text.replace("Commit: ", ""))
         refused = reproduce(page)
         check(refused.returncode == 2 and "expected a line `Commit:" in refused.stderr, "a page without a commit is refused")
