@@ -2,7 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <filesystem>
+#include <string_view>
+
+#include "core/files/csv.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -46,6 +52,25 @@ TEST(CshtTracking, ComparesThePapersTotalWithItsOwnStatistic) {
     ++compared;
   }
   EXPECT_EQ(compared, 60);  // 20 points; csht, kalman, and csht_printed beside the paper's csht
+}
+
+// Two runs of the one cell that is left: a mean with its interval at each of the 200 scans, and no other
+// tracker.
+TEST(CshtTracking, DrawsTheMeanOfTheRunsOfWhatIsLeft) {
+  const tests::TemporaryDirectory folder;
+  const auto experiment = make_csht_tracking();
+  Drawn drawn;
+  drawn.seed = 1000;
+  drawn.runs = 2;
+  drawn.directory = folder.path();
+  for (const auto& cell : experiment->cells())
+    if (cell.method == "gnn" && drawn.cells.empty()) drawn.cells.push_back(cell);
+  experiment->write_extras(drawn);
+  constexpr std::array<std::string_view, 2> kColumns{"total", "total_ci95"};
+  const core::CsvTable table(folder.file("ospa_gnn.csv"), kColumns);
+  EXPECT_EQ(table.num_rows(), 200U);
+  EXPECT_FALSE(table.empty(100, "total_ci95"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("ospa_joint.csv")));
 }
 
 }  // namespace

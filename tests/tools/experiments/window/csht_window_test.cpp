@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
 #include "csht/csht_params.hpp"
 #include "csht/estimator_registry.hpp"
 #include "sonar_sim/scene.hpp"
+#include "tests/support/temporary_directory.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
 
 namespace lookout::tools {
@@ -87,6 +92,21 @@ TEST(CshtWindow, HoldsThePapersCells) {
     EXPECT_TRUE(cell.paper.contains("position_ospa"));
   }
   EXPECT_EQ(faithful, 40);
+}
+
+// `--only method=sht --only p_miss=0.5` leaves one cell: its window is drawn, that of no other method.
+TEST(CshtWindow, DrawsTheCellsThatAreLeft) {
+  const tests::TemporaryDirectory folder;
+  Drawn drawn;
+  drawn.seed = 1000;
+  drawn.cells = {cell_of("sht", 0.1, 0.5, "light")};
+  drawn.directory = folder.path();
+  make_csht_window()->write_extras(drawn);
+  EXPECT_TRUE(std::filesystem::exists(folder.file("window_sht.csv")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("window_csht.csv")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("joint_elements.csv")));
+  const auto pictured = nlohmann::json::parse(std::ifstream(folder.file("pictured_window.json")));
+  EXPECT_EQ(pictured["parameters"]["p_miss"], 0.5);
 }
 
 }  // namespace
