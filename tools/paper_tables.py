@@ -75,7 +75,26 @@ def cell_text(rows, metrics, digits):
 
 
 def values_of(rows, key):
-    return sorted({row[key] for row in rows if row[key] != ""}, key=float)
+    """The values of a parameter, numbers rising, names in the order of the cells."""
+    values = list(dict.fromkeys(row[key] for row in rows if row[key] != ""))
+    try:
+        return sorted(values, key=float)
+    except ValueError:
+        return values
+
+
+def mean_of(values):
+    known = [value for value in values if value is not None]
+    return sum(known) / len(known) if known else None
+
+
+def pooled(rows, keys):
+    """The mean over all cells that agree in `keys`, a row for each and figure, without an interval."""
+    groups = {}
+    for row in rows:
+        groups.setdefault((*(row[key] for key in keys), row["metric"]), []).append(row)
+    return [{**own[0], "mean": mean_of([row["mean"] for row in own]), "ci95": None,
+             "paper": mean_of([row["paper"] for row in own])} for own in groups.values()]
 
 
 def grid(rows, metrics, down=DOWN, across=ACROSS, digits=2):

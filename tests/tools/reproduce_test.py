@@ -43,6 +43,8 @@ def check_grid():
     lines = paper_tables.grid(rows, ["ospa"])
     check(lines[0] == ["P_M \\ P_F", "0.1", "0.3"], "columns are the false alarm rates, rising")
     check(lines[3] == ["0.7", "1.70 ± 0.50", "3.70 ± 0.50"], "a row is a miss rate")
+    mean = paper_tables.listing(paper_tables.pooled(rows, ["p_miss"]), ["ospa"], ["p_miss"])
+    check(mean[2:] == [["0.1", "2.10"], ["0.7", "2.70"]], f"cells are pooled to their mean: {mean[2:]}")
 
 
 def main():

@@ -116,9 +116,10 @@ csht::CshtParams with_first_classes(int most) {
   return params;
 }
 
-csht::CshtParams with_peaks_alone() {
+csht::CshtParams with_peaks_alone(int most) {
   csht::CshtParams params = csht::CshtParams::window();
   params.classes.cluster = false;
+  params.classes.max_first = most;
   return params;
 }
 
@@ -163,7 +164,7 @@ Rung rung(const char* name, const csht::CshtParams& params) {
 }
 
 std::vector<Rung> rungs() {
-  const csht::CshtParams lower = lower_rungs();
+  const csht::CshtParams lower = lower_rungs(), full = csht::CshtParams::window();
   const double support = csht::CountDecisionParams().relative_support;
   return {{"A", [](int n, const auto& sonar) { return printed(false, n, sonar); }},
           {"A_time", [](int n, const auto& sonar) { return printed(true, n, sonar); }},
@@ -175,8 +176,9 @@ std::vector<Rung> rungs() {
           rung("D", lower),
           rung("D1", with_evidence(lower, 0.0)),
           rung("D2", with_evidence(lower, support)),
-          rung("E", csht::CshtParams::window()),
-          rung("E_peaks", with_peaks_alone()),
+          rung("E", full),
+          rung("E_peaks", with_peaks_alone(full.classes.max_first)),
+          rung("E_peaks_40", with_peaks_alone(2 * full.classes.max_first)),
           rung("E_3", with_first_classes(3)),
           rung("E_6", with_first_classes(6)),
           rung("E_12", with_first_classes(12)),

@@ -27,7 +27,8 @@ struct LadderEstimator {
 /// - `D` refit in four dimensions on own detections, one owner each, three own scans at least;
 /// - `D1` log evidence above 1/2; `D2` .36 of the best target's support;
 /// - `E` both axes as first axis, two east lines a class, three passes, and the parameters of `csht`;
-/// and `E` with one thing else: `E_peaks` without fuzzy ISODATA, `E_3`, `E_6`, `E_12` at most so many first
+/// and `E` with one thing else: `E_peaks` without fuzzy ISODATA, `E_peaks_40` likewise
+/// with up to 40 peaks for 20, `E_3`, `E_6`, `E_12` at most so many first
 /// classes for 20, `E_combine` classes that combine readily (alpha_c .3 for .02).
 std::vector<std::string> ladder_rungs();
 
