@@ -56,6 +56,10 @@ class Initiator {
 
   /// Scans of the windows that the method is meant for.
   virtual int window_scans() const = 0;
+
+  /// Scans that a window must hold before the method may start tracks: a full window, unless the method's own
+  /// test holds for shorter ones too. At the beginning of a mission, and after a restart, windows are short.
+  virtual int least_scans() const { return window_scans(); }
 };
 
 /// An initiator that looks for peaks over a grid of lines, and shows the votes of the last `start`.

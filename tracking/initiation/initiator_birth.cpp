@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/parameter_check.hpp"
 #include "tracking/association/gating.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 #include "tracking/initiation/local_initiator.hpp"
@@ -21,15 +22,10 @@ constexpr int kLeastVelocityScans = 4;
 constexpr double kFalseTracksPerScan = 0.003;  // At two scans a second, one in about three minutes.
 constexpr double kAccelerationSigma = 0.1;     // [m/s^2], as the trackers'.
 constexpr int kLongestWindow = 20;             // Scans: [Yan2018] section V.A.
+constexpr int kFewestProofPlots = 3;           // Two fit any velocity.
 constexpr double kMarginSigmas = 3.0;          // Of the difference of two plots, inside every gate.
 constexpr double kCellSigmas = 2.0;            // Height of a cell: 750 m for 366 m in [Zeng2023].
 constexpr double kCellsPerTolerance = 4.0;     // 20 m and 5 m, .004 and .001 rad in [Fan2018].
-
-/// Whether a method uses each plot's own error and the speeds themselves, so that it works on a sonar's scans
-/// as they are; the others are made for targets that move by more than the errors between two scans.
-bool suits_any_sensor(const std::string& initiator) {
-  return initiator == "vct";
-}
 
 /// K of N such that a target in view is missed in few windows.
 int plots_needed(const core::SonarParams& sonar, int window_scans) {
@@ -45,9 +41,16 @@ int velocity_scans(const core::SonarParams& sonar) {
   return std::clamp(scans, kLeastVelocityScans, kLongestWindow);
 }
 
+/// Largest standard deviation of a plot in any direction [m]: along the line of sight the range's, across it
+/// that of bearing and heading at the largest range.
+double plot_sigma(const core::SonarParams& sonar) {
+  const double direction = std::hypot(sonar.bearing_sigma_or_default(), sonar.heading_sigma);
+  return std::max(sonar.range_sigma, direction * sonar.max_range);
+}
+
 /// Error of the difference of two plots [m].
 double step_sigma(const core::SonarParams& sonar) {
-  return std::numbers::sqrt2 * sonar.range_sigma;
+  return std::numbers::sqrt2 * plot_sigma(sonar);
 }
 
 /// Every how many scans a radar's method is shown one: so many that the fastest target moves by more than the
@@ -60,7 +63,7 @@ int stride_for(const core::SonarParams& sonar, int window_scans) {
 
 /// Sets cells and tolerances in the proportion to the sonar's errors that the papers' have to a radar's.
 void scale_cells(const core::SonarParams& sonar, double step_seconds, InitiatorConfig& config) {
-  const double sigma = sonar.range_sigma;
+  const double sigma = plot_sigma(sonar);
   config.rho_step = config.rho_step.value_or(kCellSigmas * sigma);
   config.rho_tolerance = config.rho_tolerance.value_or(kCellsPerTolerance * *config.rho_step);
   // The error of a step's direction where the step is longest; at most so large that two tolerances are a
@@ -79,10 +82,23 @@ LocalInitiatorParams local_params(const core::SonarParams& sonar, const Initiato
   params.window_scans = velocity_scans(sonar);
   params.verifier.speeds = {*config.min_speed, *config.max_speed};
   params.verifier.motion.acceleration_sigma = *config.acceleration_sigma;
-  params.verifier.min_plots = plots_needed(sonar, params.window_scans);
+  params.verifier.min_plots = *config.proof_plots;
   params.verifier.max_false_tracks = *config.max_false_tracks;
   params.verifier.clutter_per_area = config.clutter_per_area;
   return params;
+}
+
+/// K: of a method's own window where it needs no proof; else the user's is that of the proof, over its
+/// window, and the method proposes by what suits the sonar in the few scans that it is shown.
+void set_plots(const core::SonarParams& sonar, bool as_it_is, InitiatorConfig& config) {
+  if (!as_it_is) {
+    const int proof_scans = velocity_scans(sonar);
+    config.proof_plots = config.min_plots.value_or(plots_needed(sonar, proof_scans));
+    core::require(*config.proof_plots >= kFewestProofPlots && *config.proof_plots <= proof_scans,
+                  "min_plots of births must be 3 to the scans of the proof", *config.proof_plots);
+    config.min_plots.reset();
+  }
+  config.min_plots = config.min_plots.value_or(plots_needed(sonar, *config.window_scans));
 }
 
 std::unique_ptr<Initiator> make_for_sonar(const core::SonarParams& sonar, const std::string& initiator,
@@ -99,7 +115,7 @@ InitiatorConfig for_sonar(const core::SonarParams& sonar, const std::string& ini
   const bool as_it_is = suits_any_sensor(initiator);
   const int own_window = as_it_is ? velocity_scans(sonar) : make_initiator(initiator, {})->window_scans();
   config.window_scans = config.window_scans.value_or(own_window);
-  config.min_plots = config.min_plots.value_or(plots_needed(sonar, *config.window_scans));
+  set_plots(sonar, as_it_is, config);
   config.min_speed = config.min_speed.value_or(0.0);
   config.max_speed = config.max_speed.value_or(sonar.max_speed);
   config.acceleration_sigma = config.acceleration_sigma.value_or(kAccelerationSigma);

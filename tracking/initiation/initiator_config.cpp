@@ -57,6 +57,7 @@ constexpr NumberKey kNumberKeys[] = {
 constexpr CountKey kCountKeys[] = {
     {"window_scans", &Config::window_scans, 2},
     {"min_plots", &Config::min_plots, 2},
+    {"min_hits", &Config::min_hits, 2},
     {"max_tracks", &Config::max_tracks, 1},
 };
 
@@ -132,6 +133,7 @@ void InitiatorConfig::validate() const {
     core::require(*max_turn > 0.0 && *max_turn <= std::numbers::pi, "max_turn must be in (0, pi]", *max_turn);
   if (window_scans) core::require(*window_scans >= 2, "window_scans must be >= 2", *window_scans);
   if (min_plots) core::require(*min_plots >= 2, "min_plots must be >= 2", *min_plots);
+  if (min_hits) core::require(*min_hits >= 2, "min_hits must be >= 2", *min_hits);
   require_positive(rho_step, "rho_step");
   require_positive(rho_tolerance, "rho_tolerance");
   require_positive(theta_tolerance, "theta_tolerance");

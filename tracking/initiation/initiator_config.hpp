@@ -32,7 +32,12 @@ struct InitiatorConfig {
   std::optional<double> gate_margin;
   std::optional<double> max_turn;   ///< Largest angle between two steps [rad], in (0, pi].
   std::optional<int> window_scans;  ///< Scans of a window, >= 2.
-  std::optional<int> min_plots;     ///< Plots that a track needs, >= 2.
+  std::optional<int> min_plots;     ///< Plots, each of another scan, that a started track needs, >= 2.
+  /// Plots that one Hough cell must hold of a candidate (`ag_fht`), in 2 .. min_plots.
+  std::optional<int> min_hits;
+  /// As a birth method: the plots that the proof of a proposal needs, where `min_plots` is then what the
+  /// method needs to propose it. Not a key of the configuration: `min_plots` there is this.
+  std::optional<int> proof_plots;
 
   std::optional<double> rho_step;         ///< Height of a Hough cell [m], > 0.
   std::optional<double> theta_step;       ///< Width of a Hough cell [rad], in (0, pi/4].

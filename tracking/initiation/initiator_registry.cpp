@@ -26,9 +26,12 @@ using KeyNames = std::initializer_list<const char*>;
 /// Of every initiator on points: their accuracy, and the motion of the tracks that it follows.
 constexpr KeyNames kPointKeys{"position_sigma", "range_sigma", "azimuth_sigma_deg", "acceleration_sigma"};
 
-/// Of every birth method: its window on the sonar's scans, and the proof of what it proposes.
-constexpr KeyNames kBirthKeys{"min_speed", "max_speed",   "acceleration_sigma", "window_scans",
-                              "min_plots", "gate_margin", "max_false_tracks",   "clutter_per_area"};
+/// Of every birth method: the proof of what it proposes.
+constexpr KeyNames kBirthKeys{"min_speed", "max_speed",        "acceleration_sigma",
+                              "min_plots", "max_false_tracks", "clutter_per_area"};
+
+/// Of those that are shown the surroundings of each plot (LocalInitiator): how far these reach.
+constexpr KeyNames kLocalKeys{"gate_margin"};
 
 struct Entry {
   std::string name;
@@ -80,6 +83,7 @@ bool is_taken(const std::string& name) {
 std::vector<InitiatorKey> accepted_keys(const std::string& name, InitiatorUse use) {
   std::vector<InitiatorKey> keys;
   append(keys, use == InitiatorUse::points ? kPointKeys : kBirthKeys);
+  if (use == InitiatorUse::births && !suits_any_sensor(name)) append(keys, kLocalKeys);
   for (const Entry& entry : registry()) {
     if (entry.name != name) continue;
     keys.insert(keys.end(), entry.keys.begin(), entry.keys.end());
@@ -91,6 +95,10 @@ std::vector<InitiatorKey> accepted_keys(const std::string& name, InitiatorUse us
 }
 
 }  // namespace
+
+bool suits_any_sensor(const std::string& name) {
+  return name == "vct";
+}
 
 void register_initiator(const std::string& name, MakeInitiator make, std::vector<InitiatorKey> keys) {
   if (!is_name(name))

@@ -25,6 +25,11 @@ using MakeInitiator = std::function<std::unique_ptr<Initiator>(const InitiatorCo
 /// `make`.
 void register_initiator(const std::string& name, MakeInitiator make, std::vector<InitiatorKey> keys = {});
 
+/// Whether a method uses each plot's own error and the speeds themselves, so that it works on a sonar's scans
+/// as they are; the others are made for targets that move by more than the errors between two scans, and need
+/// a LocalInitiator there.
+bool suits_any_sensor(const std::string& name);
+
 /// What an initiator works on.
 enum class InitiatorUse {
   points,  ///< Recorded points (`lookout initiate`), whose accuracy the configuration gives.

@@ -34,6 +34,8 @@ class LocalInitiator : public Initiator {
 
   const StartedTracks& start(const PlotWindow& window) override;
   int window_scans() const override;
+  /// K of the proof, which counts the courses through clutter over the scans that there are.
+  int least_scans() const override { return params_.verifier.min_plots; }
 
  private:
   /// A verified course, best first.

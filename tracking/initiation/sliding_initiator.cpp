@@ -27,6 +27,7 @@ const StartedTracks& SlidingInitiator::add_scan(double time, std::span<const Plo
   claimed_.resize(static_cast<std::size_t>(scans_.num_plots()), 0);
   if (params_.follow) follow_tracks(time, plots);
   refresh_free_plots();
+  if (scans_.num_scans() < initiator_->least_scans()) return none_;
   const StartedTracks& started = initiator_->start(free_);
   remember(started);
   return started;

@@ -28,7 +28,8 @@ class SlidingInitiator {
   /// @throws std::invalid_argument on a parameter out of range.
   SlidingInitiator(std::unique_ptr<Initiator> initiator, const SlidingParams& params);
 
-  /// Takes the next scan and looks for tracks in the window that ends with it.
+  /// Takes the next scan and looks for tracks in the window that ends with it, once the window holds the
+  /// initiator's `least_scans`.
   /// @param time later than all before [s]. @param plots their scan and time are set here.
   /// @return the tracks that start; their plots are those of `window()`. Valid until the next call.
   const StartedTracks& add_scan(double time, std::span<const Plot> plots);
@@ -54,6 +55,7 @@ class SlidingInitiator {
   PlotWindow free_;              ///< The others.
   std::vector<int> free_plots_;  ///< Index in `scans_` of each plot of `free_`.
   std::vector<Followed> followed_;
+  StartedTracks none_;  ///< What a window starts that is too short.
 };
 
 }  // namespace lookout::tracking

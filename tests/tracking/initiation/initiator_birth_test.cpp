@@ -61,6 +61,28 @@ TEST(ForSonar, GatesAndCellsFollowTheErrors) {
   EXPECT_EQ(*for_sonar(sonar, "nht_ti", {}).window_scans, 7);
 }
 
+// Two degrees at 150 m are 5.2 m across the line of sight, more than the 3 m along it.
+TEST(ForSonar, TheBearingErrorCounts) {
+  core::SonarParams sonar;
+  sonar.bearing_sigma = core::radians(2.0);
+  const double across = core::radians(2.0) * sonar.max_range;
+  const InitiatorConfig config = for_sonar(sonar, "ag_fht", {});
+  EXPECT_NEAR(*config.gate_margin, 3.0 * std::sqrt(2.0) * across, 1e-12);
+  EXPECT_NEAR(*config.rho_step, 2.0 * across, 1e-12);
+}
+
+TEST(ForSonar, MinPlotsIsThatOfTheProof) {
+  InitiatorConfig given;
+  given.min_plots = 9;
+  // Nine of the ten scans of the proof; of its own four scans the method proposes from three plots on.
+  const InitiatorConfig config = for_sonar({}, "ag_fht", given);
+  EXPECT_EQ(config.proof_plots, 9);
+  EXPECT_EQ(config.min_plots, 3);
+  EXPECT_EQ(for_sonar({}, "vct", given).min_plots, 9);
+  given.min_plots = 11;
+  EXPECT_THROW(for_sonar({}, "ag_fht", given), std::invalid_argument);
+}
+
 TEST(ForSonar, WhatTheUserGaveStays) {
   InitiatorConfig given;
   given.gate_margin = 1.0;

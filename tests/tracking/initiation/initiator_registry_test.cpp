@@ -48,6 +48,15 @@ TEST(InitiatorRegistry, RefusesAKeyThatTheMethodDoesNotUseAndNamesThoseThatItDoe
   EXPECT_EQ(refusal("ht", InitiatorUse::births, "{max_false_tracks: 1}"), "no error");
 }
 
+TEST(InitiatorRegistry, RefusesOfBirthsWhatHasNoEffectThere) {
+  // VCT works on the sonar's scans as they are: there is no margin around a plot.
+  EXPECT_NE(refusal("vct", InitiatorUse::births, "{gate_margin: 3}"), "no error");
+  EXPECT_EQ(refusal("ag_fht", InitiatorUse::births, "{gate_margin: 3}"), "no error");
+  // `modified_ht` looks at three scans, always.
+  EXPECT_NE(refusal("modified_ht", InitiatorUse::births, "{window_scans: 5}"), "no error");
+  EXPECT_EQ(refusal("modified_logic", InitiatorUse::births, "{window_scans: 5}"), "no error");
+}
+
 TEST(InitiatorRegistry, WithoutAMethodAcceptsTheKeysOfAllAndNoOther) {
   EXPECT_EQ(refusal("", InitiatorUse::births, "{rho_step: 2, gate_probability: 0.9}"), "no error");
   EXPECT_NE(refusal("", InitiatorUse::births, "{rho_stp: 2}"), "no error");

@@ -128,6 +128,29 @@ TEST_P(InitiatorSuite, FindsAHundredTargets) {
   EXPECT_GE(found, drowns ? 0 : 60);
 }
 
+/// Forty scans: more than the bits of a mask, and than the papers' windows.
+TEST_P(InitiatorSuite, ALongWindowIsServed) {
+  constexpr int kScans = 40;
+  const Course course = course_of({-3000.0, 500.0}, 0.3, 150.0);
+  SceneOptions forty = options();
+  forty.scans = kScans;
+  InitiatorConfig config = test::config_for_tests();
+  config.window_scans = kScans;
+  config.min_plots = kScans;
+  config.sensor_range = 20e3;
+  method_ = make_initiator(GetParam(), config);
+  const StartedTracks& started = method_->start(test::scene_of({course}, forty, random_));
+  EXPECT_EQ(started.refusal, "");
+  ASSERT_GE(started.tracks.size(), 1u);
+  EXPECT_LT(nearest_error(started, course), 1e-6);
+}
+
+TEST_P(InitiatorSuite, SaysItsLeastNumberOfScans) {
+  const auto method = make_initiator(GetParam(), test::config_for_tests());
+  EXPECT_LE(method->least_scans(), method->window_scans());
+  EXPECT_GE(method->least_scans(), 3);
+}
+
 TEST_P(InitiatorSuite, TenThousandPlotsAScanEndSoon) {
   SceneOptions flood = options();
   flood.clutter = 10'000;

@@ -43,6 +43,25 @@ TEST(SlidingInitiator, ATargetThatComesBackElsewhereStartsAgain) {
   EXPECT_EQ(started, 2);
 }
 
+/// Three plots would be enough for `modified_logic`, but a window of three scans is not full.
+TEST(SlidingInitiator, AWindowThatIsNotFullStartsNothing) {
+  InitiatorConfig config;
+  config.position_sigma = 5.0;
+  SlidingParams params;
+  params.window_scans = 4;
+  SlidingInitiator sliding(make_initiator("modified_logic", config), params);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_TRUE(sliding.add_scan(5.0 * k, plot_at(2500.0 * k, 0.0)).tracks.empty()) << k;
+  EXPECT_EQ(sliding.add_scan(15.0, plot_at(7500.0, 0.0)).tracks.size(), 1u);
+}
+
+TEST(SlidingInitiator, VctStartsFromItsFewestPlotsOn) {
+  SlidingInitiator sliding = four_of_five();
+  for (int k = 0; k < 3; ++k)
+    EXPECT_TRUE(sliding.add_scan(2.0 * k, plot_at(500.0 * k, 0.0)).tracks.empty()) << k;
+  EXPECT_EQ(sliding.add_scan(6.0, plot_at(1500.0, 0.0)).tracks.size(), 1u);
+}
+
 TEST(SlidingInitiator, RefusesTimeThatRunsBackwards) {
   SlidingInitiator sliding = four_of_five();
   sliding.add_scan(2.0, {});

@@ -40,6 +40,8 @@ AgFhtInitiator::AgFhtInitiator(const AgFhtParams& params)
       gates_(params.gates) {
   core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
   core::require(params.window_scans >= 2, "window_scans must be >= 2", params.window_scans);
+  core::require(params.min_hits >= 2 && params.min_hits <= params.min_plots,
+                "min_hits must be in 2 .. min_plots", params.min_hits);
   core::require(params.reach >= 0, "reach must be >= 0", params.reach);
   core::require_positive("cell_sigma", params.cell_sigma);
   core::require(params.share_of_highest > 0.0 && params.share_of_highest < 1.0,
@@ -55,7 +57,7 @@ const StartedTracks& AgFhtInitiator::start(const PlotWindow& window) {
   const double least = threshold();
   for (const Candidate& candidate : candidates_) {
     if (candidate.peak <= 0.0 || candidate.peak <= least) continue;
-    add_track(window, candidate.track.plot_indices(), params_.gates.motion, candidate.peak, started_).line =
+    add_track(window, gates_.plots_of(candidate.track), params_.gates.motion, candidate.peak, started_).line =
         grid_.centre(candidate.cell);
   }
   return started_;
@@ -66,9 +68,9 @@ void AgFhtInitiator::collect_candidates(const PlotWindow& window) {
   candidates_.clear();
   for (const GateTrack& track : gates_.run(window)) {
     if (track.num_plots < params_.min_plots) continue;
-    const auto plots = track.plot_indices();
+    const auto plots = gates_.plots_of(track);
     const bool repeated = std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& other) {
-      return std::ranges::equal(other.track.plot_indices(), plots);
+      return std::ranges::equal(gates_.plots_of(other.track), plots);
     });
     if (repeated) continue;
     candidates_.push_back(transformed(window, track));
@@ -83,7 +85,7 @@ double AgFhtInitiator::rho_of(int plot, int column) const {
 /// The fuzzy Hough transform of one candidate: only its own plots vote.
 AgFhtInitiator::Candidate AgFhtInitiator::transformed(const PlotWindow& window, const GateTrack& track) {
   rho_.clear();
-  for (const int plot : track.plot_indices()) {
+  for (const int plot : gates_.plots_of(track)) {
     for (const auto& normal : normals_) rho_.push_back(window.plot(plot).position.dot(normal));
   }
   Candidate candidate{track, {}, 0.0};
@@ -102,7 +104,7 @@ AgFhtInitiator::Candidate AgFhtInitiator::transformed(const PlotWindow& window, 
 double AgFhtInitiator::cell_value(const LineCell& cell, int num_plots) const {
   int hits = 0;
   for (int k = 0; k < num_plots; ++k) hits += grid_.row_of(rho_of(k, cell.theta)) == cell.rho ? 1 : 0;
-  if (hits < params_.min_plots) return 0.0;
+  if (hits < params_.min_hits) return 0.0;
   double value = hits;
   for (int k = 0; k < num_plots; ++k) {
     for (int i = -params_.reach; i <= params_.reach; ++i) value += membership(cell, k, cell.theta + i);
@@ -144,6 +146,7 @@ std::unique_ptr<Initiator> make_ag_fht(const InitiatorConfig& config) {
   params.gates.limit_turns(config.max_turn);
   params.gates.motion.acceleration_sigma = config.acceleration_sigma.value_or(1.0);
   params.min_plots = config.min_plots.value_or(params.min_plots);
+  params.min_hits = config.min_hits.value_or(std::min(params.min_hits, params.min_plots));
   params.window_scans = config.window_scans.value_or(params.window_scans);
   if (variant == "unstated_knowledge") add_unstated_knowledge(params.gates);
   return std::make_unique<AgFhtInitiator>(params);

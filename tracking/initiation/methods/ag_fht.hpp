@@ -25,7 +25,8 @@ ZengGridParams zeng_grid(const InitiatorConfig& config);
 struct AgFhtParams {
   ZengGridParams grid;    ///< Of the line space.
   GateLogicParams gates;  ///< Of the gates that choose the plots.
-  int min_plots = 3;      ///< Plots that a candidate needs, and crisp hits of a cell, >= 2.
+  int min_plots = 3;      ///< Plots that a candidate needs, >= 2.
+  int min_hits = 3;       ///< Of them, those that lie in one row of a column, in 2 .. min_plots. Section 2.4.
   int reach = 2;          ///< Columns and rows over which a plot's membership goes, >= 0. Section 2.4.
   double cell_sigma =
       1.0;  ///< Sigma of the membership in cells, > 0: the paper gives none; docs/initiators.md.
@@ -71,14 +72,14 @@ class AgFhtInitiator : public Initiator {
 
 /// What it uses of the `initiator:` part of a configuration.
 inline constexpr std::initializer_list<const char*> kAgFhtKeys{
-    "variant",   "min_speed",    "max_speed",    "gate_margin", "max_turn_deg",  "acceleration_sigma",
-    "min_plots", "window_scans", "sensor_range", "rho_step",    "theta_step_deg"};
+    "variant",   "min_speed", "max_speed",    "gate_margin",  "max_turn_deg", "acceleration_sigma",
+    "min_plots", "min_hits",  "window_scans", "sensor_range", "rho_step",     "theta_step_deg"};
 
 /// Keys: `min_speed`, `max_speed`, `gate_margin` (else `range_sigma`), `max_turn_deg`, `acceleration_sigma`,
-/// `min_plots`, `window_scans`, `sensor_range`, `rho_step`, `theta_step_deg`. Variants: `text` (default), and
-/// `unstated_knowledge`, which adds what the authors' program knows of its targets and the paper does not
-/// state: heading within 90 degrees of the first axis, velocity (500, 0) m/s, lonely roots dropped, noise
-/// diag(1e4, 1e4).
+/// `min_plots`, `min_hits` (3, or `min_plots` where that is fewer), `window_scans`, `sensor_range`,
+/// `rho_step`, `theta_step_deg`. Variants: `text` (default), and `unstated_knowledge`, which adds what the
+/// authors' program knows of its targets and the paper does not state: heading within 90 degrees of the first
+/// axis, velocity (500, 0) m/s, lonely roots dropped, noise diag(1e4, 1e4).
 std::unique_ptr<Initiator> make_ag_fht(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

@@ -23,7 +23,7 @@ const StartedTracks& ModifiedLogicInitiator::start(const PlotWindow& window) {
   started_.clear();
   for (const GateTrack& track : gates_.run(window)) {
     if (track.num_plots < params_.min_plots) continue;
-    add_track(window, track.plot_indices(), params_.gates.motion, track.num_plots, started_);
+    add_track(window, gates_.plots_of(track), params_.gates.motion, track.num_plots, started_);
   }
   gates_.append_survivors(started_.survivors);
   return started_;

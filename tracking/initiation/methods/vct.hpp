@@ -46,6 +46,8 @@ class VctInitiator : public Initiator {
 
   const StartedTracks& start(const PlotWindow& window) override;
   int window_scans() const override { return params_.window_scans; }
+  /// K: the false chains expected of a shorter window are counted over the scans that it has.
+  int least_scans() const override { return params_.min_plots; }
 
  private:
   /// A chain of plots, seen from its newest.

@@ -30,11 +30,22 @@ GateLogic::GateLogic(const GateLogicParams& params) : params_(params) {
 
 std::span<const GateTrack> GateLogic::run(const PlotWindow& window) {
   tracks_.clear();
+  plots_.clear();
+  row_length_ = static_cast<std::size_t>(window.num_scans());
   gated_.assign(static_cast<std::size_t>(window.num_plots()), 0);
   if (window.num_scans() > 0) add_roots(window, 0);
-  for (int scan = 1; scan < std::min(window.num_scans(), GateTrack::kMaxPlots); ++scan)
-    take_scan(window, scan);
+  for (int scan = 1; scan < window.num_scans(); ++scan) take_scan(window, scan);
   return tracks_;
+}
+
+std::span<const int> GateLogic::plots_of(const GateTrack& track) const {
+  const std::size_t first = static_cast<std::size_t>(track.row) * row_length_;
+  return std::span(plots_).subspan(first, static_cast<std::size_t>(track.num_plots));
+}
+
+void GateLogic::append(int plot, GateTrack& track) {
+  const std::size_t first = static_cast<std::size_t>(track.row) * row_length_;
+  plots_[first + static_cast<std::size_t>(track.num_plots++)] = plot;
 }
 
 void GateLogic::append_survivors(std::vector<int>& plots) const {
@@ -52,7 +63,9 @@ void GateLogic::add_roots(const PlotWindow& window, int scan) {
   for (int plot = window.first(scan); plot < window.end(scan); ++plot) {
     if (gated_[static_cast<std::size_t>(plot)]) continue;
     GateTrack root;
-    root.plots[root.num_plots++] = plot;
+    root.row = static_cast<int>(plots_.size() / row_length_);
+    plots_.resize(plots_.size() + row_length_);
+    append(plot, root);
     tracks_.push_back(root);
   }
 }
@@ -89,7 +102,7 @@ bool GateLogic::on_course(const Eigen::Vector2d& displacement) const {
 /// Eq. (1); the nearest is that whose distance is nearest to the mean speed's, for the text names no
 /// criterion.
 GateLogic::Choice GateLogic::circular_choice(const PlotWindow& window, int scan, const GateTrack& track) {
-  const Plot& root = window.plot(track.newest());
+  const Plot& root = window.plot(newest(track));
   const double seconds = window.time(scan) - root.time;
   const double expected = 0.5 * (params_.speeds.min + params_.speeds.max) * seconds;
   Choice choice;
@@ -104,8 +117,8 @@ GateLogic::Choice GateLogic::circular_choice(const PlotWindow& window, int scan,
 
 /// Eq. (2); the nearest to the predicted position.
 GateLogic::Choice GateLogic::fan_choice(const PlotWindow& window, int scan, const GateTrack& track) {
-  const Eigen::Vector2d from = window.plot(track.newest()).position;
-  const double seconds = window.time(scan) - window.plot(track.newest()).time;
+  const Eigen::Vector2d from = window.plot(newest(track)).position;
+  const double seconds = window.time(scan) - window.plot(newest(track)).time;
   const Eigen::Vector2d expected =
       predicted(track.fit, window.time(scan), params_.motion).track.position() - from;
   const double depth = (params_.speeds.max - params_.speeds.min) * seconds +
@@ -121,8 +134,9 @@ GateLogic::Choice GateLogic::fan_choice(const PlotWindow& window, int scan, cons
 
 /// Eq. (4)-(6); the nearest in units of the innovation's covariance.
 GateLogic::Choice GateLogic::elliptical_choice(const PlotWindow& window, int scan, const GateTrack& track) {
-  const Plot& last = window.plot(track.newest());
-  const Eigen::Vector2d leg = last.position - window.plot(track.plots[track.num_plots - 2]).position;
+  const Plot& last = window.plot(newest(track));
+  const Eigen::Vector2d leg =
+      last.position - window.plot(plots_of(track)[static_cast<std::size_t>(track.num_plots) - 2]).position;
   const double turn = turn_over((window.time(scan) - last.time) / (track.misses + 1));
   const TrackFit ahead = predicted(track.fit, window.time(scan), params_.motion);
   const Eigen::Matrix2d expected = ahead.track.covariance.topLeftCorner<2, 2>();
@@ -156,7 +170,7 @@ TrackFit GateLogic::start_fit(const Plot& older, const Plot& newer) const {
 
 void GateLogic::extend(const PlotWindow& window, int plot, GateTrack& track) {
   const Plot newer = known(window.plot(plot));
-  const Plot older = known(window.plot(track.newest()));
+  const Plot older = known(window.plot(newest(track)));
   if (track.num_plots == 1) {
     track.fit = start_fit(older, newer);
   } else if (params_.filtered) {
@@ -165,8 +179,8 @@ void GateLogic::extend(const PlotWindow& window, int plot, GateTrack& track) {
   } else {
     track.fit = two_point_start(older, newer, params_.motion);
   }
-  for (const int own : track.plot_indices()) gated_[static_cast<std::size_t>(own)] = 1;
-  track.plots[track.num_plots++] = plot;
+  for (const int own : plots_of(track)) gated_[static_cast<std::size_t>(own)] = 1;
+  append(plot, track);
   track.misses = 0;
 }
 

@@ -40,15 +40,10 @@ struct GateLogicParams {
 
 /// A track of gate logic: a root (one plot), temporary (two) or candidate (three or more).
 struct GateTrack {
-  static constexpr int kMaxPlots = 32;  ///< Most plots of one track.
-  int plots[kMaxPlots] = {};            ///< Indices in the window.
-  int num_plots = 0;                    ///< Plots so far, the oldest first in `plots`.
-  int misses = 0;                       ///< Scans since its newest plot.
-  TrackFit fit;                         ///< From two plots on.
-
-  /// Indices in the window, the oldest first.
-  std::span<const int> plot_indices() const { return {plots, static_cast<std::size_t>(num_plots)}; }
-  int newest() const { return plots[num_plots - 1]; }  ///< Index of the newest plot; there is one.
+  int row = 0;        ///< Where GateLogic keeps its plots.
+  int num_plots = 0;  ///< Plots so far.
+  int misses = 0;     ///< Scans since its newest plot.
+  TrackFit fit;       ///< From two plots on.
 };
 
 /// Grows gate tracks through the scans of a window. The first scan's plots are roots; plots of the second
@@ -60,6 +55,10 @@ class GateLogic {
 
   /// @return the tracks that are alive after the last scan; valid until the next call.
   std::span<const GateTrack> run(const PlotWindow& window);
+
+  /// Indices in the window of a track's plots, the oldest first, at most one per scan; valid until the next
+  /// run.
+  std::span<const int> plots_of(const GateTrack& track) const;
 
   /// Adds the plots that lay in some track's gate in the last run, and those of the tracks that had such
   /// gates: what the gates leave of the scans, whichever plot was then the nearest. P1 of [Zeng2023] Eq.
@@ -85,10 +84,14 @@ class GateLogic {
   Plot known(const Plot& plot) const;
   void extend(const PlotWindow& window, int plot, GateTrack& track);
   TrackFit start_fit(const Plot& older, const Plot& newer) const;
+  int newest(const GateTrack& track) const { return plots_of(track).back(); }
+  void append(int plot, GateTrack& track);
 
   GateLogicParams params_;
   PlotIndex index_;
   std::vector<GateTrack> tracks_;
+  std::vector<int> plots_;      ///< Of all roots ever, a row of `row_length_` each.
+  std::size_t row_length_ = 0;  ///< Scans of the window.
   std::vector<char>
       gated_;  ///< Plots of the window that lie in some gate, or belong to a track with one that holds any.
 };

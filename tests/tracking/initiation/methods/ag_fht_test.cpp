@@ -31,6 +31,30 @@ TEST(AgFht, ACandidateScoresItsHitsAndItsMemberships) {
   EXPECT_NEAR(started.tracks[0].score, 4.0 + 4.0 * (1.0 + 2.0 * std::exp(-0.5) + 2.0 * std::exp(-2.0)), 0.05);
 }
 
+TEST(AgFht, PlotsOfACandidateAndPlotsOfACellAreTwoNumbers) {
+  // Rows of 100 m; three plots in the middle of one, the fourth 900 m to the side: no line of any column has
+  // all four within 50 m (at best 225 m).
+  const LineGrid grid(200, 3000, 150e3);
+  const NormalLine line = grid.centre({100, 1800});
+  PlotWindow window;
+  for (int k = 0; k < 4; ++k) {
+    window.begin_scan(5.0 * k);
+    Plot plot;
+    plot.position =
+        (line.rho + (k == 3 ? 900.0 : 0.0)) * line.normal() + (2500.0 * k - 2500.0) * line.direction();
+    plot.noise = 9e4 * Eigen::Matrix2d::Identity();
+    window.add(plot);
+  }
+  InitiatorConfig config;
+  config.rho_step = 100.0;
+  config.min_plots = 4;
+  EXPECT_EQ(make_ag_fht(config)->start(window).tracks.size(), 1u);
+  config.min_hits = 4;
+  EXPECT_EQ(make_ag_fht(config)->start(window).tracks.size(), 0u);
+  config.min_hits = 5;
+  EXPECT_THROW(make_ag_fht(config), std::invalid_argument);
+}
+
 TEST(AgFht, FewerThanThreePlotsAreNoCandidate) {
   core::Random random(1024);
   test::SceneOptions options;
