@@ -138,7 +138,8 @@ double AgFhtInitiator::threshold() const {
 }
 
 std::unique_ptr<Initiator> make_ag_fht(const InitiatorConfig& config) {
-  const std::string variant = chosen_variant(config, "ag_fht", {"text", "unstated_knowledge"});
+  const std::string variant = chosen_variant(
+      config, "ag_fht", {"text", "text_outside_gates", "text_all_plots", "unstated_knowledge"});
   AgFhtParams params;
   params.grid = zeng_grid(config);
   params.gates.speeds = speed_limits(config, kZengSpeeds);
@@ -148,6 +149,8 @@ std::unique_ptr<Initiator> make_ag_fht(const InitiatorConfig& config) {
   params.min_plots = config.min_plots.value_or(params.min_plots);
   params.min_hits = config.min_hits.value_or(std::min(params.min_hits, params.min_plots));
   params.window_scans = config.window_scans.value_or(params.window_scans);
+  params.share_of_mean = config.peak_threshold.value_or(params.share_of_mean);
+  params.gates.new_roots = new_roots_of(variant);
   if (variant == "unstated_knowledge") add_unstated_knowledge(params.gates);
   return std::make_unique<AgFhtInitiator>(params);
 }

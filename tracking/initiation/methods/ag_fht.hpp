@@ -72,14 +72,16 @@ class AgFhtInitiator : public Initiator {
 
 /// What it uses of the `initiator:` part of a configuration.
 inline constexpr std::initializer_list<const char*> kAgFhtKeys{
-    "variant",   "min_speed", "max_speed",    "gate_margin",  "max_turn_deg", "acceleration_sigma",
-    "min_plots", "min_hits",  "window_scans", "sensor_range", "rho_step",     "theta_step_deg"};
+    "variant",       "min_speed", "max_speed",      "gate_margin",  "max_turn_deg", "acceleration_sigma",
+    "min_plots",     "min_hits",  "peak_threshold", "window_scans", "sensor_range", "rho_step",
+    "theta_step_deg"};
 
 /// Keys: `min_speed`, `max_speed`, `gate_margin` (else `range_sigma`), `max_turn_deg`, `acceleration_sigma`,
-/// `min_plots`, `min_hits` (3, or `min_plots` where that is fewer), `window_scans`, `sensor_range`,
-/// `rho_step`, `theta_step_deg`. Variants: `text` (default), and `unstated_knowledge`, which adds what the
-/// authors' program knows of its targets and the paper does not state: heading within 90 degrees of the first
-/// axis, velocity (500, 0) m/s, lonely roots dropped, noise diag(1e4, 1e4).
+/// `min_plots`, `min_hits` (3, or `min_plots` where that is fewer), `peak_threshold` (q), `window_scans`,
+/// `sensor_range`, `rho_step`, `theta_step_deg`. Variants: `text` (default), `text_outside_gates` and
+/// `text_all_plots` (which plots of the second scan become roots, NewRoots), and `unstated_knowledge`, which
+/// adds what the authors' program knows of its targets and the paper does not state: heading within 90
+/// degrees of the first axis, velocity (500, 0) m/s, lonely roots dropped, noise diag(1e4, 1e4).
 std::unique_ptr<Initiator> make_ag_fht(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

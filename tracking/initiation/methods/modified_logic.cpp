@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/parameter_check.hpp"
+#include "tracking/association/gating.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -31,14 +32,16 @@ const StartedTracks& ModifiedLogicInitiator::start(const PlotWindow& window) {
 
 std::unique_ptr<Initiator> make_modified_logic(const InitiatorConfig& config) {
   config.validate();
-  const std::string variant = chosen_variant(config, "modified_logic", {"polar", "isotropic"});
+  const std::string variant = chosen_variant(
+      config, "modified_logic", {"polar", "polar_outside_gates", "polar_all_plots", "isotropic"});
   ModifiedLogicParams params;
   params.gates.speeds = speed_limits(config, kZengSpeeds);
   params.gates.margin = config.gate_margin.value_or(0.0);
   params.gates.limit_turns(config.max_turn);
   params.gates.fan_gate = false;
   params.gates.filtered = false;
-  params.gates.gate = kGate;
+  params.gates.new_roots = new_roots_of(variant);
+  params.gates.gate = config.gate_probability ? chi_square_gate(*config.gate_probability, 2) : kGate;
   params.gates.motion.acceleration_sigma = config.acceleration_sigma.value_or(1.0);
   if (variant == "isotropic") params.gates.noise = kIsotropicVariance * Eigen::Matrix2d::Identity();
   params.min_plots = config.min_plots.value_or(params.min_plots);

@@ -34,12 +34,13 @@ class ModifiedLogicInitiator : public Initiator {
 
 /// What it uses of the `initiator:` part of a configuration.
 inline constexpr std::initializer_list<const char*> kModifiedLogicKeys{
-    "variant",      "min_speed",          "max_speed", "gate_margin",
-    "max_turn_deg", "acceleration_sigma", "min_plots", "window_scans"};
+    "variant",   "min_speed",    "max_speed",       "gate_margin", "max_turn_deg", "acceleration_sigma",
+    "min_plots", "window_scans", "gate_probability"};
 
 /// Keys: `min_speed`, `max_speed`, `gate_margin`, `max_turn_deg`, `acceleration_sigma`, `min_plots`,
-/// `window_scans`. Variants: `polar` (default: the plots' own noise) and `isotropic` (25000 m^2 along both
-/// axes, as in the authors' program).
+/// `window_scans`, `gate_probability` (absent: gamma = 25). Variants: `polar` (default: the plots' own
+/// noise), `polar_outside_gates` and `polar_all_plots` (which plots of the second scan become roots,
+/// NewRoots), and `isotropic` (25000 m^2 along both axes, as in the authors' program).
 std::unique_ptr<Initiator> make_modified_logic(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

@@ -19,6 +19,11 @@ void GateLogicParams::validate() const {
   core::require(max_misses >= 0, "max_misses must be >= 0", max_misses);
 }
 
+NewRoots new_roots_of(const std::string& variant) {
+  if (variant.ends_with("_outside_gates")) return NewRoots::outside_gates;
+  return variant.ends_with("_all_plots") ? NewRoots::all : NewRoots::unclaimed;
+}
+
 void GateLogicParams::limit_turns(std::optional<double> angle) {
   max_turn = angle;
   fan_gate = fan_gate && angle.value_or(0.0) < 0.5 * std::numbers::pi;
@@ -33,6 +38,7 @@ std::span<const GateTrack> GateLogic::run(const PlotWindow& window) {
   plots_.clear();
   row_length_ = static_cast<std::size_t>(window.num_scans());
   gated_.assign(static_cast<std::size_t>(window.num_plots()), 0);
+  claimed_.assign(gated_.size(), 0);
   if (window.num_scans() > 0) add_roots(window, 0);
   for (int scan = 1; scan < window.num_scans(); ++scan) take_scan(window, scan);
   return tracks_;
@@ -61,13 +67,19 @@ void GateLogic::offer(int plot, double distance, Choice& choice) {
 
 void GateLogic::add_roots(const PlotWindow& window, int scan) {
   for (int plot = window.first(scan); plot < window.end(scan); ++plot) {
-    if (gated_[static_cast<std::size_t>(plot)]) continue;
+    if (!may_be_root(plot, scan)) continue;
     GateTrack root;
     root.row = static_cast<int>(plots_.size() / row_length_);
     plots_.resize(plots_.size() + row_length_);
     append(plot, root);
     tracks_.push_back(root);
   }
+}
+
+bool GateLogic::may_be_root(int plot, int scan) const {
+  const auto index = static_cast<std::size_t>(plot);
+  if (scan == 0 || params_.new_roots == NewRoots::all) return true;
+  return params_.new_roots == NewRoots::unclaimed ? claimed_[index] == 0 : gated_[index] == 0;
 }
 
 void GateLogic::take_scan(const PlotWindow& window, int scan) {
@@ -181,6 +193,7 @@ void GateLogic::extend(const PlotWindow& window, int plot, GateTrack& track) {
   }
   for (const int own : plots_of(track)) gated_[static_cast<std::size_t>(own)] = 1;
   append(plot, track);
+  claimed_[static_cast<std::size_t>(plot)] = 1;
   track.misses = 0;
 }
 

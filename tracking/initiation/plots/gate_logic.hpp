@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tracking/initiation/plots/gate_shapes.hpp"
@@ -9,6 +10,13 @@
 #include "tracking/initiation/plots/track_fit.hpp"
 
 namespace lookout::tracking {
+
+/// Which plots of the second scan become roots too, which [Zeng2023] words as those that no root has claimed.
+enum class NewRoots {
+  unclaimed,      ///< Those that no root took as its nearest: the text.
+  outside_gates,  ///< Those that lie in no root's gate.
+  all             ///< All of them.
+};
 
 /// Rules of the gates that grow tracks plot by plot, the nearest plot of each gate. [Zeng2023] section 2.
 struct GateLogicParams {
@@ -20,8 +28,9 @@ struct GateLogicParams {
   std::optional<double> max_turn;   ///< Largest angle between two steps [rad]; absent: by `turn_rate`.
   double gate = 24.0;               ///< gamma of the elliptical gate, > 0. Eq. (6).
   bool filtered = true;             ///< Predict by the Kalman filter of all plots; else from the last two.
-  MotionModelParams motion{1.0};    ///< Of the predictor. Section 3.1.
-  int max_misses = 1;               ///< Consecutive scans that a track survives without a plot, >= 0.
+  NewRoots new_roots = NewRoots::unclaimed;  ///< Of the second scan. Section 2.1.
+  MotionModelParams motion{1.0};             ///< Of the predictor. Section 3.1.
+  int max_misses = 1;  ///< Consecutive scans that a track survives without a plot, >= 0.
 
   /// What the authors' program knows and the text does not say (docs/initiators.md): the course of the
   /// targets ...
@@ -38,6 +47,9 @@ struct GateLogicParams {
   void validate() const;
 };
 
+/// The reading that the end of a variant's name says: `_outside_gates`, `_all_plots`, else that of the text.
+NewRoots new_roots_of(const std::string& variant);
+
 /// A track of gate logic: a root (one plot), temporary (two) or candidate (three or more).
 struct GateTrack {
   int row = 0;        ///< Where GateLogic keeps its plots.
@@ -46,8 +58,8 @@ struct GateTrack {
   TrackFit fit;       ///< From two plots on.
 };
 
-/// Grows gate tracks through the scans of a window. The first scan's plots are roots; plots of the second
-/// that lie in no root's gate become roots too.
+/// Grows gate tracks through the scans of a window. The first scan's plots are roots, and of the second those
+/// that `new_roots` says.
 class GateLogic {
  public:
   /// @throws std::invalid_argument on a parameter out of range.
@@ -74,6 +86,7 @@ class GateLogic {
 
   void offer(int plot, double distance, Choice& choice);
   void add_roots(const PlotWindow& window, int scan);
+  bool may_be_root(int plot, int scan) const;
   void take_scan(const PlotWindow& window, int scan);
   Choice choose(const PlotWindow& window, int scan, const GateTrack& track);
   Choice circular_choice(const PlotWindow& window, int scan, const GateTrack& track);
@@ -92,6 +105,7 @@ class GateLogic {
   std::vector<GateTrack> tracks_;
   std::vector<int> plots_;      ///< Of all roots ever, a row of `row_length_` each.
   std::size_t row_length_ = 0;  ///< Scans of the window.
+  std::vector<char> claimed_;   ///< Plots that some track took.
   std::vector<char>
       gated_;  ///< Plots of the window that lie in some gate, or belong to a track with one that holds any.
 };

@@ -86,6 +86,41 @@ TEST(GateLogic, KnowledgeOfTheCourseRefusesTheOppositeOne) {
   EXPECT_TRUE(GateLogic(params).run(window).empty());
 }
 
+/// In the gate of a root at 55 km lie the target's next plot, which is the nearer to the mean speed's 2707 m,
+/// and one beside it, from which a second target goes on.
+PlotWindow two_in_one_gate() {
+  PlotWindow window;
+  for (int k = 0; k < 4; ++k) {
+    window.begin_scan(5.0 * k);
+    Plot plot;
+    plot.noise = 1e4 * Eigen::Matrix2d::Identity();
+    plot.position = {2600.0 * k, 0.0};
+    window.add(plot);
+    plot.position = {1000.0, 2000.0 + 2500.0 * (k - 1)};
+    if (k > 0) window.add(plot);
+  }
+  return window;
+}
+
+/// Roots by the three readings: one target alone; both; and a root on the first target's own second plot too.
+TEST(GateLogic, RootsOfTheSecondScanAreReadInThreeWays) {
+  const auto tracks_of = [](NewRoots reading) {
+    GateLogicParams params;
+    params.new_roots = reading;
+    GateLogic gates(params);
+    return gates.run(two_in_one_gate()).size();
+  };
+  EXPECT_EQ(tracks_of(NewRoots::outside_gates), 1u);
+  EXPECT_EQ(tracks_of(NewRoots::unclaimed), 2u);
+  EXPECT_EQ(tracks_of(NewRoots::all), 3u);
+}
+
+TEST(GateLogic, TheVariantsNameSaysTheReading) {
+  EXPECT_EQ(new_roots_of("text"), NewRoots::unclaimed);
+  EXPECT_EQ(new_roots_of("text_outside_gates"), NewRoots::outside_gates);
+  EXPECT_EQ(new_roots_of("polar_all_plots"), NewRoots::all);
+}
+
 TEST(GateLogic, RefusesParametersOutOfRange) {
   GateLogicParams params;
   params.gate = 0.0;
