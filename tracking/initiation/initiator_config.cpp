@@ -43,6 +43,7 @@ constexpr NumberKey kNumberKeys[] = {
     {"acceleration_sigma", &Config::acceleration_sigma, core::kNotNegative},
     {"gate_margin", &Config::gate_margin, core::kNotNegative},
     {"max_turn_deg", &Config::max_turn, {0.0, 180.0, true}, kDegree},
+    {"max_turn_rate_deg", &Config::max_turn_rate, {0.0, 18.0}, kDegree},
     {"rho_step", &Config::rho_step, core::kPositive},
     {"theta_step_deg", &Config::theta_step, {0.0, 45.0, true}, kDegree},
     {"rho_tolerance", &Config::rho_tolerance, core::kPositive},

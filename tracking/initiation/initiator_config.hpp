@@ -30,9 +30,10 @@ struct InitiatorConfig {
   /// How far errors of the plots widen the limits of a step between two scans [m], >= 0; absent: the
   /// method's.
   std::optional<double> gate_margin;
-  std::optional<double> max_turn;   ///< Largest angle between two steps [rad], in (0, pi].
-  std::optional<int> window_scans;  ///< Scans of a window, >= 2.
-  std::optional<int> min_plots;     ///< Plots, each of another scan, that a started track needs, >= 2.
+  std::optional<double> max_turn;       ///< Largest angle between two steps [rad], in (0, pi].
+  std::optional<double> max_turn_rate;  ///< Fastest turn of a target that VCT follows [rad/s], in [0, pi/10].
+  std::optional<int> window_scans;      ///< Scans of a window, >= 2.
+  std::optional<int> min_plots;         ///< Plots, each of another scan, that a started track needs, >= 2.
   /// Plots that one Hough cell must hold of a candidate (`ag_fht`), in 2 .. min_plots.
   std::optional<int> min_hits;
   /// As a birth method: the plots that the proof of a proposal needs, where `min_plots` is then what the

@@ -16,6 +16,8 @@
 namespace lookout::tracking {
 namespace {
 
+constexpr double kFastestTurn = std::numbers::pi / 10;  // [rad/s]
+
 /// Three sigmas, say, of the difference of two plots along their displacement [m].
 double noise_margin(const Plot& a, const Plot& b, double sigmas) {
   const Eigen::Vector2d displacement = b.position - a.position;
@@ -23,6 +25,17 @@ double noise_margin(const Plot& a, const Plot& b, double sigmas) {
   if (length == 0.0) return 0.0;
   const Eigen::Vector2d along = displacement / length;
   return sigmas * std::sqrt(along.dot((a.noise + b.noise) * along));
+}
+
+/// 0, and evenly to either hand up to the fastest.
+std::vector<double> turn_rates(const VctParams& params) {
+  std::vector<double> rates{0.0};
+  const int steps = static_cast<int>(std::ceil(params.max_turn_rate / params.turn_rate_step - 1e-9));
+  for (int k = 1; k <= steps; ++k) {
+    const double rate = params.max_turn_rate * k / steps;
+    rates.insert(rates.end(), {rate, -rate});
+  }
+  return rates;
 }
 
 }  // namespace
@@ -41,6 +54,9 @@ void VctParams::validate() const {
   core::require_not_negative("margin_sigmas", margin_sigmas);
   if (clutter_per_area) core::require_positive("clutter_per_area", *clutter_per_area);
   core::require(max_false_tracks > 0.0, "max_false_tracks must be > 0", max_false_tracks);
+  core::require(max_turn_rate >= 0.0 && max_turn_rate <= kFastestTurn, "max_turn_rate must be in [0, pi/10]",
+                max_turn_rate);
+  core::require_positive("turn_rate_step", turn_rate_step);
   core::require(max_branches_per_plot >= 1, "max_branches_per_plot must be >= 1", max_branches_per_plot);
   core::require(max_branches >= 1, "max_branches must be >= 1", max_branches);
   core::require(max_consecutive_misses >= 0, "max_consecutive_misses must be >= 0", max_consecutive_misses);
@@ -50,25 +66,41 @@ VctInitiator::VctInitiator(const VctParams& params) : params_(params) {
   params.validate();
   gate_ = chi_square_gate(params.gate_probability, 2);
   chain_gates_.assign(3, 0.0);
+  turn_rates_ = turn_rates(params);
+  motion_ = params.motion;
+  // A rate that is even between two steps leaves this much acceleration across the course.
+  const double step = turn_rates_.size() > 1 ? turn_rates_[1] : 0.0;
+  const double left = params.speeds.max * step / std::sqrt(12.0);
+  motion_.acceleration_sigma = std::hypot(params.motion.acceleration_sigma, left);
 }
 
 const StartedTracks& VctInitiator::start(const PlotWindow& window) {
   prepare(window);
-  for (int scan = 0; scan < window.num_scans(); ++scan) {
-    if (!grow(window, scan)) {
-      started_.refusal = "more than " + std::to_string(params_.max_branches) +
-                         " branches in one window; use a smaller speed range or a shorter window";
-      return started_;
-    }
+  for (const double rate : turn_rates_) {
+    if (search(window, rate)) continue;
+    started_.refusal = "more than " + std::to_string(params_.max_branches) +
+                       " branches in one window; use a smaller speed range or a shorter window";
+    return started_;
   }
   declare(window);
   return started_;
 }
 
-void VctInitiator::prepare(const PlotWindow& window) {
-  started_.clear();
+/// Adds the chains of one way of turning. @return whether the search stays within its bound.
+bool VctInitiator::search(const PlotWindow& window, double turn_rate) {
+  turn_rate_ = turn_rate;
   branches_.clear();
   first_branch_.assign(static_cast<std::size_t>(window.num_plots()) + 1, 0);
+  for (int scan = 0; scan < window.num_scans(); ++scan) {
+    if (!grow(window, scan)) return false;
+  }
+  collect_chains();
+  return true;
+}
+
+void VctInitiator::prepare(const PlotWindow& window) {
+  started_.clear();
+  chains_.clear();
   num_scans_ = window.num_scans();
   while (static_cast<int>(chain_gates_.size()) <= num_scans_)
     chain_gates_.push_back(
@@ -126,7 +158,7 @@ void VctInitiator::propose_pairs(const PlotWindow& window, int root, int scan) {
 void VctInitiator::propose_extensions(const PlotWindow& window, int branch, int scan) {
   const Branch& parent = branches_[static_cast<std::size_t>(branch)];
   if (scan - parent.fit.plots > num_scans_ - params_.min_plots) return;
-  const TrackFit ahead = predicted(parent.fit, window.time(scan), params_.motion);
+  const TrackFit ahead = predicted(parent.fit, window.time(scan), motion_);
   const Plot& last = window.plot(parent.plot);
   const Eigen::Matrix2d spread = ahead.track.covariance.topLeftCorner<2, 2>() + last.noise;
   const double reach = std::sqrt(gate_ * spread.trace());
@@ -144,7 +176,8 @@ void VctInitiator::propose_extensions(const PlotWindow& window, int branch, int 
 }
 
 double VctInitiator::log_expected(double log_false, double chi_square, int plots) const {
-  return log_false_chains(log_false, chi_square, plots, num_scans_);
+  return log_false_chains(log_false, chi_square, plots, num_scans_) +
+         std::log(static_cast<double>(turn_rates_.size()));
 }
 
 double VctInitiator::log_density(const Plot& plot) const {
@@ -171,11 +204,11 @@ VctInitiator::Branch VctInitiator::branch_of(const PlotWindow& window, const Pro
   const Plot& plot = window.plot(proposal.plot);
   Branch branch{{}, proposal.parent, proposal.root, proposal.plot, proposal.log_false, proposal.log_expected};
   if (proposal.parent < 0) {
-    branch.fit = two_point_start(window.plot(proposal.root), plot, params_.motion);
+    branch.fit = two_point_start(window.plot(proposal.root), plot, motion_, turn_rate_);
     add_speed_prior(params_.speeds.max, branch.fit);
   } else {
     const TrackFit ahead =
-        predicted(branches_[static_cast<std::size_t>(proposal.parent)].fit, plot.time, params_.motion);
+        predicted(branches_[static_cast<std::size_t>(proposal.parent)].fit, plot.time, motion_);
     branch.fit = updated(ahead, plot, innovation(ahead, plot));
   }
   return branch;
@@ -199,24 +232,24 @@ void VctInitiator::collect_plots(int branch) {
   std::reverse(plots_.begin(), plots_.end());
 }
 
+void VctInitiator::collect_chains() {
+  for (std::size_t b = 0; b < branches_.size(); ++b) {
+    if (!accepted(branches_[b])) continue;
+    collect_plots(static_cast<int>(b));
+    chains_.push_back({branches_[b].log_expected, turn_rate_, plots_});
+  }
+}
+
 /// Greedy: the chain with the fewest false ones expected first, one plot serves one track.
 void VctInitiator::declare(const PlotWindow& window) {
-  chains_.clear();
-  for (std::size_t b = 0; b < branches_.size(); ++b) {
-    if (accepted(branches_[b])) chains_.push_back(static_cast<int>(b));
-  }
-  std::sort(chains_.begin(), chains_.end(), [&](int a, int b) {
-    return std::pair(branches_[static_cast<std::size_t>(a)].log_expected, a) <
-           std::pair(branches_[static_cast<std::size_t>(b)].log_expected, b);
-  });
+  std::stable_sort(chains_.begin(), chains_.end(),
+                   [](const Chain& a, const Chain& b) { return a.log_expected < b.log_expected; });
   used_.assign(static_cast<std::size_t>(window.num_plots()), 0);
-  for (const int chain : chains_) {
-    collect_plots(chain);
-    if (std::ranges::any_of(plots_, [&](int plot) { return used_[static_cast<std::size_t>(plot)] != 0; }))
-      continue;
-    for (const int plot : plots_) used_[static_cast<std::size_t>(plot)] = 1;
-    add_track(window, plots_, params_.motion, -branches_[static_cast<std::size_t>(chain)].log_expected,
-              started_);
+  for (const Chain& chain : chains_) {
+    const auto is_used = [&](int plot) { return used_[static_cast<std::size_t>(plot)] != 0; };
+    if (std::ranges::any_of(chain.plots, is_used)) continue;
+    for (const int plot : chain.plots) used_[static_cast<std::size_t>(plot)] = 1;
+    add_track(window, chain.plots, motion_, -chain.log_expected, started_, chain.turn_rate);
   }
   started_.survivors = started_.plots;
 }
@@ -233,6 +266,7 @@ std::unique_ptr<Initiator> make_vct(const InitiatorConfig& config) {
   params.gate_probability = config.gate_probability.value_or(params.gate_probability);
   params.max_false_tracks = config.max_false_tracks.value_or(params.max_false_tracks);
   params.clutter_per_area = config.clutter_per_area;
+  params.max_turn_rate = config.max_turn_rate.value_or(params.max_turn_rate);
   return std::make_unique<VctInitiator>(params);
 }
 

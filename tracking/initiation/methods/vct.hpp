@@ -16,10 +16,15 @@ namespace lookout::tracking {
 
 /// Of the verified chains; docs/initiators.md tells the method.
 struct VctParams {
-  SpeedLimits speeds = kFanSpeeds;         ///< Of a pair of plots; both finite.
-  MotionModelParams motion{1.0};           ///< [Zeng2023] section 3.1.
-  int window_scans = 4;                    ///< N, >= 3.
-  int min_plots = 4;                       ///< K of N, in 3 .. window_scans.
+  SpeedLimits speeds = kFanSpeeds;  ///< Of a pair of plots; both finite.
+  MotionModelParams motion{1.0};    ///< [Zeng2023] section 3.1.
+  int window_scans = 4;             ///< N, >= 3.
+  int min_plots = 4;                ///< K of N, in 3 .. window_scans.
+  /// Fastest turn of a target [rad/s], in [0, pi/10]; above 0 chains are looked for along turns of either
+  /// hand too, at steps of `turn_rate_step`, each way of turning counted among those in which clutter can
+  /// fit.
+  double max_turn_rate = 0.0;
+  double turn_rate_step = 0.00872664626;   ///< Largest step [rad/s], > 0: half a degree a second.
   int max_consecutive_misses = 3;          ///< In a row, >= 0; never more than N - K in all.
   double gate_probability = 0.999;         ///< Share of true plots inside a gate, in (0, 1).
   double chain_probability = 0.99;         ///< Share of true chains whose chi-square passes, in (0, 1).
@@ -36,9 +41,9 @@ struct VctParams {
 /// Velocity-consistent tracklets: every pair of plots that the speeds allow opens a branch; branches grow
 /// through the gate of the true innovation covariance, through misses too; a chain is a weighted
 /// least-squares fit of constant velocity. It is judged by how many chains of clutter alone are expected to
-/// fit as well: the number of ways to begin, times the clutter expected inside the ellipsoid that its
-/// residuals span. The least expected chains are tracks, each plot in one track only. Cost: plots x branches
-/// kept x gate.
+/// fit as well: the number of ways to begin, and to turn, times the clutter expected inside the ellipsoid
+/// that its residuals span. The least expected chains are tracks, each plot in one track only. Cost: plots x
+/// branches kept x gate.
 class VctInitiator : public Initiator {
  public:
   /// @throws std::invalid_argument on a value out of range.
@@ -59,6 +64,12 @@ class VctInitiator : public Initiator {
     double log_false = 0.0;     ///< Log of the false chains expected for what comes before the residuals.
     double log_expected = 0.0;  ///< Log of the number of false chains expected to fit as well.
   };
+  /// A chain that is accepted.
+  struct Chain {
+    double log_expected = 0.0;
+    double turn_rate = 0.0;  ///< [rad/s].
+    std::vector<int> plots;
+  };
   /// A branch that a plot could get.
   struct Proposal {
     int plot = 0;
@@ -69,6 +80,8 @@ class VctInitiator : public Initiator {
   };
 
   void prepare(const PlotWindow& window);
+  bool search(const PlotWindow& window, double turn_rate);
+  void collect_chains();
   bool grow(const PlotWindow& window, int scan);
   void propose_pairs(const PlotWindow& window, int root, int scan);
   void propose_extensions(const PlotWindow& window, int branch, int scan);
@@ -81,6 +94,9 @@ class VctInitiator : public Initiator {
   void collect_plots(int branch);
 
   VctParams params_;
+  std::vector<double> turn_rates_;   ///< That are looked for [rad/s]; 0 alone where targets do not turn.
+  MotionModelParams motion_;         ///< The targets', and what lies between two of these rates.
+  double turn_rate_ = 0.0;           ///< Of the search at hand.
   double gate_;                      ///< Chi-square bound of one plot.
   std::vector<double> chain_gates_;  ///< Chi-square bound of a chain, by its plots.
   PlotIndex index_;
@@ -89,7 +105,7 @@ class VctInitiator : public Initiator {
   std::vector<Branch> branches_;
   std::vector<int> first_branch_;  ///< Of each plot, and one past the last: branches in order of plot.
   std::vector<Proposal> proposals_;
-  std::vector<int> chains_;  ///< Accepted branches.
+  std::vector<Chain> chains_;
   std::vector<char> used_;
   std::vector<int> plots_;
   StartedTracks started_;
@@ -97,11 +113,11 @@ class VctInitiator : public Initiator {
 
 /// What it uses of the `initiator:` part of a configuration.
 inline constexpr std::initializer_list<const char*> kVctKeys{
-    "min_speed", "max_speed",        "acceleration_sigma", "window_scans",
-    "min_plots", "gate_probability", "max_false_tracks",   "clutter_per_area"};
+    "min_speed",        "max_speed",        "acceleration_sigma", "window_scans",     "min_plots",
+    "gate_probability", "max_false_tracks", "clutter_per_area",   "max_turn_rate_deg"};
 
 /// Keys: `min_speed`, `max_speed`, `acceleration_sigma`, `window_scans`, `min_plots` (default: all scans),
-/// `gate_probability`, `max_false_tracks`, `clutter_per_area`. No variants.
+/// `gate_probability`, `max_false_tracks`, `clutter_per_area`, `max_turn_rate_deg` (0). No variants.
 std::unique_ptr<Initiator> make_vct(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

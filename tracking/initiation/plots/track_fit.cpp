@@ -4,13 +4,45 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/constant_velocity.hpp"
+
 namespace lookout::tracking {
+namespace {
+
+/// How a velocity turns over a step, and the way that it makes: x += way v, v = turn v.
+struct Turn {
+  Eigen::Matrix2d turn;
+  Eigen::Matrix2d way;
+};
+
+Turn turn_over(double seconds, double rate) {
+  Eigen::Matrix2d quarter;
+  quarter << 0.0, -1.0, 1.0, 0.0;
+  const double angle = rate * seconds;
+  const Eigen::Matrix2d one = Eigen::Matrix2d::Identity();
+  return {std::cos(angle) * one + std::sin(angle) * quarter,
+          (std::sin(angle) * one + (1.0 - std::cos(angle)) * quarter) / rate};
+}
+
+/// `predict` along a turn. [BarShalom2001] Eq. (11.7.1-4).
+void predict_turn(core::Track& track, double seconds, double rate, const MotionModelParams& motion) {
+  const Turn step = turn_over(seconds, rate);
+  Eigen::Matrix4d F = Eigen::Matrix4d::Identity();
+  F.topRightCorner<2, 2>() = step.way;
+  F.bottomRightCorner<2, 2>() = step.turn;
+  track.state = (F * track.state).eval();
+  track.covariance = (F * track.covariance * F.transpose()).eval() +
+                     core::stepwise_acceleration_noise(seconds, motion.acceleration_sigma);
+}
+
+}  // namespace
 
 double Innovation::squared_distance() const {
   return residual.dot(covariance.inverse() * residual);
 }
 
-TrackFit two_point_start(const Plot& older, const Plot& newer, const MotionModelParams& motion) {
+TrackFit two_point_start(const Plot& older, const Plot& newer, const MotionModelParams& motion,
+                         double turn_rate) {
   const double seconds = newer.time - older.time;
   assert(seconds > 0.0);
   // The mean velocity of the step plus half of the change that the acceleration makes over it.
@@ -22,12 +54,23 @@ TrackFit two_point_start(const Plot& older, const Plot& newer, const MotionModel
           half_change * half_change * Eigen::Matrix2d::Identity();
   fit.time = newer.time;
   fit.plots = 2;
+  fit.turn_rate = turn_rate;
+  if (turn_rate == 0.0) return fit;
+  // The newer velocity of the turn whose chord the step is.
+  const Turn step = turn_over(seconds, turn_rate);
+  Eigen::Matrix4d to_end = Eigen::Matrix4d::Identity();
+  to_end.bottomRightCorner<2, 2>() = seconds * step.turn * step.way.inverse();
+  fit.track.state = (to_end * fit.track.state).eval();
+  fit.track.covariance = (to_end * fit.track.covariance * to_end.transpose()).eval();
   return fit;
 }
 
 TrackFit predicted(const TrackFit& fit, double time, const MotionModelParams& motion) {
   TrackFit ahead = fit;
-  predict(ahead.track, time - fit.time, motion);
+  if (fit.turn_rate != 0.0 && time != fit.time)
+    predict_turn(ahead.track, time - fit.time, fit.turn_rate, motion);
+  else
+    predict(ahead.track, time - fit.time, motion);
   ahead.time = time;
   return ahead;
 }
@@ -46,9 +89,10 @@ TrackFit updated(const TrackFit& fit_at_plot, const Plot& plot, const Innovation
   return fit;
 }
 
-TrackFit fit_track(const PlotWindow& window, std::span<const int> plots, const MotionModelParams& motion) {
+TrackFit fit_track(const PlotWindow& window, std::span<const int> plots, const MotionModelParams& motion,
+                   double turn_rate) {
   assert(plots.size() >= 2);
-  TrackFit fit = two_point_start(window.plot(plots[0]), window.plot(plots[1]), motion);
+  TrackFit fit = two_point_start(window.plot(plots[0]), window.plot(plots[1]), motion, turn_rate);
   for (const int index : plots.subspan(2)) {
     const Plot& plot = window.plot(index);
     const TrackFit ahead = predicted(fit, plot.time, motion);
@@ -58,8 +102,8 @@ TrackFit fit_track(const PlotWindow& window, std::span<const int> plots, const M
 }
 
 StartedTrack& add_track(const PlotWindow& window, std::span<const int> plots, const MotionModelParams& motion,
-                        double score, StartedTracks& started) {
-  const TrackFit fit = fit_track(window, plots, motion);
+                        double score, StartedTracks& started, double turn_rate) {
+  const TrackFit fit = fit_track(window, plots, motion, turn_rate);
   const Plot& oldest = window.plot(plots.front());
   const Plot& newest = window.plot(plots.back());
   StartedTrack track;

@@ -100,5 +100,22 @@ TEST(TrackFit, AStartedTrackKnowsItsCourse) {
   EXPECT_DOUBLE_EQ(track.score, 1.5);
 }
 
+/// On a circle of 1000 m at 0.1 rad/s, 100 m/s: noise-free plots leave no residual and the exact velocity.
+TEST(TrackFit, ATurnOfItsRateFitsExactly) {
+  PlotWindow window;
+  for (int j = 0; j < 4; ++j) {
+    window.begin_scan(3.0 * j);
+    Plot plot;
+    plot.position = 1000.0 * Eigen::Vector2d(std::sin(0.3 * j), 1.0 - std::cos(0.3 * j));
+    window.add(plot);
+  }
+  const std::vector<int> plots{0, 1, 2, 3};
+  const TrackFit fit = fit_track(window, plots, {0.0}, 0.1);
+  EXPECT_NEAR(fit.chi_square, 0.0, 1e-9);
+  EXPECT_NEAR((fit.track.velocity() - 100.0 * Eigen::Vector2d(std::cos(0.9), std::sin(0.9))).norm(), 0.0,
+              1e-6);
+  EXPECT_GT(fit_track(window, plots, {0.0}).chi_square, 1000.0);
+}
+
 }  // namespace
 }  // namespace lookout::tracking
