@@ -1,5 +1,7 @@
 #include "fusion/fusion.hpp"
 
+#include <algorithm>
+
 namespace lookout::fusion {
 namespace {
 
@@ -43,7 +45,21 @@ Intake Fusion::place(LocalEstimate estimate) {
   if (!reading.utime) return Intake::clock;
   if (reading.restarted) restart();
   estimate.utime = *reading.utime;
-  return local_tracks_.add(estimate);
+  const std::int64_t arrived = *clock_.now();
+  const double age = core::seconds(arrived - estimate.utime);
+  if (age > params_.clock.tolerance) judge_clock(estimate, arrived);
+  const Intake outcome = local_tracks_.add(estimate, arrived);
+  late_ += outcome == Intake::accepted && age > params_.store.max_age ? 1 : 0;
+  return outcome;
+}
+
+void Fusion::judge_clock(const LocalEstimate& estimate, std::int64_t arrived) {
+  const Eigen::Vector2d position = estimate.state.head<2>();
+  const double gate = params_.association.position_gate * params_.association.position_scale;
+  const double sent = global_tracks_.nearest_of_others(position, estimate.node_id, estimate.utime);
+  const double now = global_tracks_.nearest_of_others(position, estimate.node_id, arrived);
+  if (std::min(sent, now) > gate) return;
+  clock_.judge(estimate.node_id, std::clamp((now - sent) / params_.association.position_scale, -1.0, 1.0));
 }
 
 void Fusion::restart() {

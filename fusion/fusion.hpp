@@ -28,6 +28,8 @@ class Fusion {
 
   /// Messages that ended so since the start.
   std::int64_t count(Intake outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
+  /// Of the accepted messages, those that came too late to have a vote (`max_age`).
+  std::int64_t late() const { return late_; }
   std::int64_t restarts() const { return restarts_; }  ///< How often the common clock began anew.
   /// The global track that a local one supports, by the newest association; -1: none.
   std::int64_t global_of(std::int32_t node_id, std::int64_t track_id) const;
@@ -40,6 +42,7 @@ class Fusion {
 
  private:
   Intake place(LocalEstimate estimate);
+  void judge_clock(const LocalEstimate& estimate, std::int64_t arrived);
   void associate(std::int64_t utime);
   void associate_node(std::span<const Contribution> tracklets);
   void restart();
@@ -55,6 +58,7 @@ class Fusion {
   std::vector<Eigen::Vector4d> states_;  ///< Theirs.
   std::vector<PastSupport> before_;      ///< And what they supported the last time.
   std::array<std::int64_t, kNumIntakes> counts_{};
+  std::int64_t late_ = 0;
   std::int64_t restarts_ = 0;
 };
 

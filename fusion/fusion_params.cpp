@@ -34,6 +34,22 @@ void read_link(const core::YamlMap& map, tracking::LocalEstimateSenderParams& pa
   params.burst_bytes = kBurst * params.bytes_per_second;
 }
 
+/// How far clocks differ, how long messages travel, how seldom nodes report.
+void read_times(const core::YamlMap& map, FusionParams& params) {
+  FusionClockParams& clock = params.clock;
+  LocalTrackStoreParams& store = params.store;
+  clock.tolerance = map.number("clock_tolerance_s", clock.tolerance, core::kPositive);
+  clock.max_delay = map.number("max_delay_s", clock.max_delay, core::kPositive);
+  if (clock.max_delay < clock.tolerance) map.fail("max_delay_s", "must be >= clock_tolerance_s");
+  clock.max_interval = map.number("max_interval_s", clock.max_interval, core::kPositive);
+  store.max_age = map.number("max_age_s", store.max_age, core::kPositive);
+  store.max_gap = map.number("max_gap_s", store.max_gap, core::kPositive);
+  store.max_silence = map.number("max_silence_s", store.max_silence, core::kPositive);
+  store.forget_after = std::max(store.forget_after, store.max_age);
+  store.min_estimates = map.integer("min_estimates", store.min_estimates, core::Range{1.0, 2.0});
+  params.global.birth_estimates = store.min_estimates;
+}
+
 }  // namespace
 
 void read_fusion_params(const core::YamlMap& map, FusionParams& params) {
@@ -46,8 +62,9 @@ void read_fusion_params(const core::YamlMap& map, FusionParams& params) {
       map.number("bearing_sigma_deg", core::degrees(params.learned.bearing_sigma), core::kPositive));
   params.kalman.process_noise = map.number("process_noise", params.kalman.process_noise, core::kNotNegative);
   params.kalman.velocity_sigma = map.number("velocity_sigma", params.kalman.velocity_sigma, core::kPositive);
-  params.store.max_age = map.number("max_age_s", params.store.max_age, core::kPositive);
-  params.store.forget_after = std::max(params.store.forget_after, params.store.max_age);
+  params.global.process_noise = params.kalman.process_noise;
+  params.learned.process_noise = params.kalman.process_noise;
+  read_times(map, params);
   params.global.coast = map.number("coast_s", params.global.coast, core::kNotNegative);
   map.finish();
 }

@@ -38,7 +38,7 @@ struct FusionParams {
 /// @throws core::InputError on an unknown key or a value out of range.
 void read_fusion_params(const core::YamlMap& map, FusionParams& params);
 
-/// sdf sdf_fixed dw_a dw_b dw_c dw_d mean single icov ci ml central learned.
+/// sdf sdf_fixed dw_a dw_b dw_c dw_d mean single icov ci ci_trace ml central learned.
 const std::vector<std::string>& fusion_method_names();
 
 /// @throws std::invalid_argument naming the accepted methods where params.method is none of them, or a

@@ -27,16 +27,17 @@ double process_noise_of(const FusionParams& params) {
 
 const std::vector<std::pair<std::string, Maker>>& registry() {
   static const std::vector<std::pair<std::string, Maker>> entries{
-      {"sdf", maker<SupportDegreeFusion>(&FusionParams::support_degree)},
-      {"sdf_fixed", maker<SupportDegreeFixed>()},
-      {"dw_a", maker<MutualSupportFusion>(constant(MutualSupport::a))},
-      {"dw_b", maker<MutualSupportFusion>(constant(MutualSupport::b))},
-      {"dw_c", maker<MutualSupportFusion>(constant(MutualSupport::c))},
-      {"dw_d", maker<MutualSupportFusion>(constant(MutualSupport::d))},
-      {"mean", maker<MeanFusion>()},
-      {"single", maker<SingleNode>()},
+      {"sdf", maker<SupportDegreeFusion>(&FusionParams::support_degree, &FusionParams::learned)},
+      {"sdf_fixed", maker<SupportDegreeFixed>(&FusionParams::learned)},
+      {"dw_a", maker<MutualSupportFusion>(constant(MutualSupport::a), &FusionParams::learned)},
+      {"dw_b", maker<MutualSupportFusion>(constant(MutualSupport::b), &FusionParams::learned)},
+      {"dw_c", maker<MutualSupportFusion>(constant(MutualSupport::c), &FusionParams::learned)},
+      {"dw_d", maker<MutualSupportFusion>(constant(MutualSupport::d), &FusionParams::learned)},
+      {"mean", maker<MeanFusion>(&FusionParams::learned)},
+      {"single", maker<SingleNode>(&FusionParams::learned)},
       {"icov", maker<CovarianceFusion>(constant(CovarianceWeights::sum), process_noise_of)},
       {"ci", maker<CovarianceFusion>(constant(CovarianceWeights::intersection), process_noise_of)},
+      {"ci_trace", maker<CovarianceFusion>(constant(CovarianceWeights::least_trace), process_noise_of)},
       {"ml", maker<MaximumLikelihoodFusion>(&FusionParams::kalman)},
       {"central", maker<CentralKalmanFusion>(&FusionParams::kalman)},
       {"learned", maker<LearnedGeometry>(&FusionParams::learned)}};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/parameter_check.hpp"
 
@@ -13,12 +14,13 @@ constexpr double kLeastCoast = 1e-6;  // [s]; a coast of 0 ends a track at once.
 }  // namespace
 
 GlobalTracks::GlobalTracks(const GlobalTracksParams& params) : params_(params), pairings_(params.probation) {
-  core::require(params.birth_estimates >= 2, "birth_estimates must be >= 2", params.birth_estimates);
+  core::require(params.birth_estimates >= 1, "birth_estimates must be >= 1", params.birth_estimates);
   core::require(params.coast >= 0.0, "coast must be >= 0", params.coast);
   core::require(params.local_trust > 0.0 && params.local_trust < 1.0, "local_trust must be in (0, 1)",
                 params.local_trust);
   core::require(params.merge_threshold > 0.0 && params.merge_threshold <= 1.0,
                 "merge_threshold must be in (0, 1]", params.merge_threshold);
+  core::require_not_negative("process_noise", params.process_noise);
   core::require(params.merge_updates >= 1, "merge_updates must be >= 1", params.merge_updates);
   core::require(params.probation >= 1, "probation must be >= 1", params.probation);
 }
@@ -38,7 +40,11 @@ void GlobalTracks::clear() {
 void GlobalTracks::predict(std::int64_t utime) {
   const double dt = core::seconds(utime - utime_);
   utime_ = utime;
+  const Eigen::Matrix4d F = core::constant_velocity_transition(dt);
   for (std::size_t g = 0; g < tracks_.size(); ++g) {
+    Eigen::Matrix4d& covariance = tracks_[g].covariance;
+    covariance =
+        (F * covariance * F.transpose()).eval() + core::white_acceleration_noise(dt, params_.process_noise);
     TrackGroup& support = supports_[g];
     support.utime = utime;
     support.previous = tracks_[g].state;
@@ -120,6 +126,19 @@ PastSupport GlobalTracks::past_of(const LocalTrack& local) const {
   if (place < 0) return {};
   const Voices& voices = voices_[static_cast<std::size_t>(place)];
   return {place, voices.size() == 1 && voices.front().key == local.key()};
+}
+
+double GlobalTracks::nearest_of_others(const Eigen::Vector2d& position, std::int32_t node_id,
+                                       std::int64_t utime) const {
+  const double dt = core::seconds(utime - utime_);
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t g = 0; g < tracks_.size(); ++g) {
+    const auto& voices = supports_[g].contributions;
+    const auto is_other = [&](const Contribution& voice) { return voice.track->newest().node_id != node_id; };
+    if (std::none_of(voices.begin(), voices.end(), is_other)) continue;
+    nearest = std::min(nearest, (core::moved(tracks_[g].state, dt).head<2>() - position).norm());
+  }
+  return nearest;
 }
 
 void GlobalTracks::forget_locals(const LocalTrackStore::Tracks& known) {

@@ -16,14 +16,16 @@ namespace lookout::fusion {
 
 /// When global tracks begin, end and become one.
 struct GlobalTracksParams {
-  int birth_estimates = 2;   ///< Estimates of a local track before it may start a global one, >= 2.
+  int birth_estimates = 2;   ///< Estimates of a local track before it may start a global one, >= 1.
                              ///< [Li2018]'s scene starts at the fourth.
   double coast = 10.0;       ///< A global track that no node supports is kept so long [s], >= 0, at most as
                              ///< long as it has lived. Own choice.
   double local_trust = 0.9;  ///< Probability that one node's track is a target, in (0, 1). Own choice.
   double merge_threshold = 0.35;  ///< Membership from which two tracks of different nodes are one, in (0, 1].
                                   ///< The association's.
-  int merge_updates = 3;          ///< For so many updates in a row, >= 1. Own choice.
+  double process_noise = 0.01;  ///< White acceleration q [m^2/s^3], >= 0, by which the covariance of a track
+                                ///< without support grows. Own choice: KalmanModel's.
+  int merge_updates = 3;        ///< For so many updates in a row, >= 1. Own choice.
   int probation = 3;  ///< Messages that a newcomer must send for a track that another node already speaks for
                       ///< before it has a vote there, >= 1. Own choice: a wrong start lasts two at most.
 };
@@ -49,6 +51,10 @@ class GlobalTracks {
 
   /// The place in `predicted_for` of the track that a local track goes with, or -1. It may be on probation.
   int supported_by(const LocalTrackStore::Key& local) const;
+
+  /// Distance from `position` [m] to the nearest track that another node than `node_id` spoke for at the last
+  /// update, carried to `utime`; infinite where there is none.
+  double nearest_of_others(const Eigen::Vector2d& position, std::int32_t node_id, std::int64_t utime) const;
 
   /// What a local track has of its past: the track that it is trusted in, and whether it is alone there. A
   /// newcomer on probation has none, so that each message is judged anew.

@@ -1,10 +1,12 @@
 #include "fusion/learned_geometry.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "core/parameter_check.hpp"
+#include "fusion/methods/covariance_fusion.hpp"
 
 namespace lookout::fusion {
 namespace {
@@ -13,6 +15,8 @@ namespace {
 constexpr double kRegularisation = 1e-6;
 /// Nearest that a target counts as to a sensor [m], so that the bearing keeps a meaning.
 constexpr double kLeastRange = 1.0;
+/// Least error of a velocity with which learning begins [m/s], so that no weight is infinite.
+constexpr double kLeastRate = 1e-3;
 
 /// Expected square of a node's own error where its variance is `own`, age adds an independent error of
 /// variance `aging`, and the sum of the two has the expected square `total`. Never negative, unlike
@@ -20,6 +24,10 @@ constexpr double kLeastRange = 1.0;
 double own_share(double own, double aging, double total) {
   const double gain = own / (own + aging);
   return gain * gain * total + gain * aging;
+}
+
+bool is_alone_with_covariance(const TrackGroup& group) {
+  return group.contributions.size() == 1 && group.contributions.front().track->newest().covariance;
 }
 
 }  // namespace
@@ -31,9 +39,12 @@ LearnedGeometry::LearnedGeometry(const LearnedGeometryParams& params) : params_(
   core::require(params.iterations >= 1, "iterations must be >= 1", params.iterations);
   core::require(params.pseudo_samples >= 0.0, "pseudo_samples must be >= 0", params.pseudo_samples);
   core::require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
+  core::require_not_negative("process_noise", params.process_noise);
   core::require_positive("least_share", params.least_share);
-  least_ = {std::pow(params.least_share * params.range_sigma, 2),
-            std::pow(params.least_share * params.bearing_sigma, 2)};
+  const NodeQuality first = first_quality();
+  const double share = params.least_share * params.least_share;
+  least_ = {share * first.range_variance, share * first.bearing_variance, share * first.range_rate_variance,
+            share * first.bearing_rate_variance};
   reset();
 }
 
@@ -46,13 +57,18 @@ void LearnedGeometry::reset() {
 
 LearnedGeometry::NodeQuality LearnedGeometry::quality(std::int32_t node_id) const {
   const auto found = index_.find(node_id);
-  if (found != index_.end()) return quality_[found->second];
-  return {params_.range_sigma * params_.range_sigma, params_.bearing_sigma * params_.bearing_sigma};
+  return found == index_.end() ? first_quality() : quality_[found->second];
+}
+
+/// Where learning begins; velocities err in the same proportion along and across as positions.
+LearnedGeometry::NodeQuality LearnedGeometry::first_quality() const {
+  const double range = params_.range_sigma, bearing = params_.bearing_sigma;
+  const double rate = std::max(params_.velocity_sigma, kLeastRate);
+  return {range * range, bearing * bearing, rate * rate, std::pow(bearing * rate / range, 2)};
 }
 
 std::span<const FusedState> LearnedGeometry::fuse(std::span<const TrackGroup> groups) {
-  remember(groups);
-  for (int k = 0; k < params_.iterations; ++k) iterate();
+  learn(groups);
   fused_.clear();
   const Update& update = window_[newest_];
   std::size_t begin = 0;
@@ -64,23 +80,31 @@ std::span<const FusedState> LearnedGeometry::fuse(std::span<const TrackGroup> gr
   return fused_;
 }
 
+void LearnedGeometry::learn(std::span<const TrackGroup> groups) {
+  remember(groups);
+  for (int k = 0; k < params_.iterations; ++k) iterate();
+}
+
 std::size_t LearnedGeometry::index_of(std::int32_t node_id) {
   const auto [entry, is_new] = index_.try_emplace(node_id, quality_.size());
-  if (is_new)
-    quality_.push_back(
-        {params_.range_sigma * params_.range_sigma, params_.bearing_sigma * params_.bearing_sigma});
+  if (is_new) quality_.push_back(first_quality());
   return entry->second;
 }
 
-LearnedGeometry::View LearnedGeometry::view_of(const TrackGroup& group, const Contribution& contribution) {
+LearnedGeometry::View LearnedGeometry::view_of(const TrackGroup& group, const Contribution& contribution,
+                                               std::size_t node) const {
   const LocalEstimate& estimate = contribution.track->newest();
   const Eigen::Vector2d sight = contribution.current.head<2>() - estimate.p_earth_node;
   const double range = sight.norm();
   const Eigen::Vector2d direction = range > 0.0 ? (sight / range).eval() : Eigen::Vector2d::UnitX();
   const double drift = params_.velocity_sigma * contribution.track->age(group.utime);
   const double squared_range = std::max(range, kLeastRange) * std::max(range, kLeastRange);
-  return {contribution.current.head<2>(), direction, squared_range, drift * drift,
-          index_of(estimate.node_id)};
+  return {contribution.current.head<2>(),
+          contribution.current.tail<2>(),
+          direction,
+          squared_range,
+          drift * drift,
+          node};
 }
 
 void LearnedGeometry::remember(std::span<const TrackGroup> groups) {
@@ -90,16 +114,22 @@ void LearnedGeometry::remember(std::span<const TrackGroup> groups) {
   update.ends.clear();
   for (const TrackGroup& group : groups) {
     for (const Contribution& contribution : group.contributions)
-      update.views.push_back(view_of(group, contribution));
+      update.views.push_back(view_of(group, contribution, index_of(contribution.track->newest().node_id)));
     update.ends.push_back(update.views.size());
   }
 }
 
-Eigen::Matrix2d LearnedGeometry::information(const View& view) const {
+LearnedGeometry::Axes LearnedGeometry::position_axes(const View& view, const NodeQuality& quality) {
+  return {quality.range_variance + view.aging, quality.bearing_variance * view.squared_range + view.aging};
+}
+
+LearnedGeometry::Axes LearnedGeometry::velocity_axes(const View& view, const NodeQuality& quality) {
+  return {quality.range_rate_variance, quality.bearing_rate_variance * view.squared_range};
+}
+
+Eigen::Matrix2d LearnedGeometry::information(const View& view, const Axes& variances) {
   // I = u u'/s_r + v v'/(s_b r^2) = 1/across + (1/along - 1/across) u u'.
-  const NodeQuality& quality = quality_[view.node];
-  const double along = 1.0 / (quality.range_variance + view.aging);
-  const double across = 1.0 / (quality.bearing_variance * view.squared_range + view.aging);
+  const double along = 1.0 / variances.along, across = 1.0 / variances.across;
   const Eigen::Vector2d& u = view.line_of_sight;
   Eigen::Matrix2d result = (along - across) * u * u.transpose();
   result(0, 0) += across;
@@ -107,19 +137,46 @@ Eigen::Matrix2d LearnedGeometry::information(const View& view) const {
   return result;
 }
 
-LearnedGeometry::Fix LearnedGeometry::fix(std::span<const View> views) const {
+Eigen::Matrix2d LearnedGeometry::information(const View& view) const {
+  return information(view, position_axes(view, quality_[view.node]));
+}
+
+template <class InformationOf>
+LearnedGeometry::Fix LearnedGeometry::weighted_fix(std::span<const View> views, Eigen::Vector2d View::*value,
+                                                   const InformationOf& information_of) {
   // Relative to one of them, so that the regularisation pulls to the target and not to the earth's origin.
-  const Eigen::Vector2d anchor = views.front().position;
+  const Eigen::Vector2d anchor = views.front().*value;
   Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
   Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
   for (const View& view : views) {
-    const Eigen::Matrix2d own = information(view);
+    const Eigen::Matrix2d own = information_of(view);
     sum += own;
-    weighted += own * (view.position - anchor);
+    weighted += own * (view.*value - anchor);
   }
   sum += kRegularisation * sum.trace() * Eigen::Matrix2d::Identity();
   const Eigen::Matrix2d covariance = sum.inverse();
   return {anchor + covariance * weighted, covariance};
+}
+
+LearnedGeometry::Fix LearnedGeometry::fix(std::span<const View> views) const {
+  return weighted_fix(views, &View::position, [this](const View& s) { return information(s); });
+}
+
+LearnedGeometry::Fix LearnedGeometry::velocity_fix(std::span<const View> views) const {
+  return weighted_fix(views, &View::velocity,
+                      [this](const View& s) { return information(s, velocity_axes(s, quality_[s.node])); });
+}
+
+Eigen::Matrix4d LearnedGeometry::covariance_of(const TrackGroup& group,
+                                               const Contribution& contribution) const {
+  if (is_alone_with_covariance(group))
+    return covariance_at(*contribution.track, group.utime, params_.process_noise);
+  const View view = view_of(group, contribution, 0);
+  const NodeQuality own = quality(contribution.track->newest().node_id);
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
+  covariance.topLeftCorner<2, 2>() = information(view, position_axes(view, own)).inverse();
+  covariance.bottomRightCorner<2, 2>() = information(view, velocity_axes(view, own)).inverse();
+  return covariance;
 }
 
 void LearnedGeometry::iterate() {
@@ -128,7 +185,10 @@ void LearnedGeometry::iterate() {
     std::size_t begin = 0;
     for (std::size_t end : update.ends) {
       // A target that one node alone sees says nothing of that node's error.
-      if (end - begin >= 2) add_residuals({update.views.data() + begin, end - begin});
+      if (end - begin >= 2) {
+        add_residuals({update.views.data() + begin, end - begin});
+        add_velocity_residuals({update.views.data() + begin, end - begin});
+      }
       begin = end;
     }
   }
@@ -140,7 +200,7 @@ void LearnedGeometry::add_residuals(std::span<const View> views) {
   for (const View& view : views) {
     const Eigen::Vector2d& u = view.line_of_sight;
     const Eigen::Vector2d v(-u.y(), u.x());
-    const Eigen::Vector2d residual = view.position - fused.position;
+    const Eigen::Vector2d residual = view.position - fused.value;
     const double along = u.dot(residual), across = v.dot(residual);
     Moments& moments = moments_[view.node];
     const NodeQuality& quality = quality_[view.node];
@@ -151,6 +211,18 @@ void LearnedGeometry::add_residuals(std::span<const View> views) {
                                 across * across + v.dot(fused.covariance * v)) /
                       range_squared;
     moments.count += 1.0;
+  }
+}
+
+void LearnedGeometry::add_velocity_residuals(std::span<const View> views) {
+  const Fix fused = velocity_fix(views);
+  for (const View& view : views) {
+    const Eigen::Vector2d& u = view.line_of_sight;
+    const Eigen::Vector2d v(-u.y(), u.x());
+    const Eigen::Vector2d residual = view.velocity - fused.value;
+    Moments& moments = moments_[view.node];
+    moments.along_rate += std::pow(u.dot(residual), 2) + u.dot(fused.covariance * u);
+    moments.across_rate += (std::pow(v.dot(residual), 2) + v.dot(fused.covariance * v)) / view.squared_range;
   }
 }
 
@@ -168,29 +240,53 @@ void LearnedGeometry::maximise() {
   const bool heard =
       std::any_of(moments_.begin(), moments_.end(), [](const Moments& m) { return m.count > 0.0; });
   if (!heard) return;
+  learn_part(&Moments::along, &NodeQuality::range_variance);
+  learn_part(&Moments::across, &NodeQuality::bearing_variance);
+  learn_part(&Moments::along_rate, &NodeQuality::range_rate_variance);
+  learn_part(&Moments::across_rate, &NodeQuality::bearing_rate_variance);
+}
+
+void LearnedGeometry::learn_part(double Moments::*sum, double NodeQuality::*variance) {
   const double extra = params_.pseudo_samples;
-  const double along = median_of(&Moments::along), across = median_of(&Moments::across);
+  const double median = median_of(sum);
   for (std::size_t node = 0; node < quality_.size(); ++node) {
     const Moments& moments = moments_[node];
     if (moments.count + extra == 0.0) continue;
-    const NodeQuality learned{(moments.along + extra * along) / (moments.count + extra),
-                              (moments.across + extra * across) / (moments.count + extra)};
-    quality_[node] = {std::max(least_.range_variance, learned.range_variance),
-                      std::max(least_.bearing_variance, learned.bearing_variance)};
+    const double learned = (moments.*sum + extra * median) / (moments.count + extra);
+    quality_[node].*variance = std::max(least_.*variance, learned);
   }
 }
 
+/// A filter of a target under white acceleration, once it has settled, errs in position and velocity by
+/// variances sqrt(2) q^(1/4) r^(3/4) and sqrt(2) q^(3/4) r^(1/4) (the Riccati equation of constant velocity,
+/// measurement noise r), so that the first says the second: 2^(1/3) q^(2/3) P^(1/3). No fusion of such
+/// filters does better.
+Eigen::Matrix2d LearnedGeometry::shared_velocity_error(const Eigen::Matrix2d& position) const {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(position);
+  const double scale = std::cbrt(2.0 * params_.process_noise * params_.process_noise);
+  const Eigen::Vector2d variances =
+      scale * axes.eigenvalues().unaryExpr([](double v) { return std::cbrt(v); });
+  return axes.eigenvectors() * variances.asDiagonal() * axes.eigenvectors().transpose();
+}
+
 FusedState LearnedGeometry::fuse_group(const TrackGroup& group, std::span<const View> views) const {
+  if (is_alone_with_covariance(group))
+    return {group.contributions.front().current, covariance_of(group, group.contributions.front())};
   const Fix fused = fix(views);
   const Eigen::Vector2d anchor = group.contributions.front().current.tail<2>();
   Eigen::Vector2d weighted = Eigen::Vector2d::Zero();
-  for (std::size_t i = 0; i < views.size(); ++i)
-    weighted += information(views[i]) * (group.contributions[i].current.tail<2>() - anchor);
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const View& view : views) {
+    const Eigen::Matrix2d own = information(view);
+    weighted += own * (view.velocity - anchor);
+    const Axes errors = velocity_axes(view, quality_[view.node]);
+    spread += own * information(view, errors).inverse() * own;
+  }
   FusedState result;
-  result.state << fused.position, anchor + fused.covariance * weighted;
+  result.state << fused.value, anchor + fused.covariance * weighted;
   result.covariance.topLeftCorner<2, 2>() = fused.covariance;
-  const double velocity_variance = params_.velocity_sigma * params_.velocity_sigma;
-  result.covariance.bottomRightCorner<2, 2>().diagonal().setConstant(velocity_variance);
+  result.covariance.bottomRightCorner<2, 2>() =
+      fused.covariance * spread * fused.covariance + shared_velocity_error(fused.covariance);
   return result;
 }
 

@@ -20,16 +20,21 @@ class LocalTrack {
   /// Begins with one estimate: a candidate.
   explicit LocalTrack(const LocalEstimate& first) { append(first); }
 
-  /// Adds an estimate later than all before it.
-  void append(const LocalEstimate& estimate) {
+  /// Adds an estimate later than all before it, as it arrives without delay.
+  void append(const LocalEstimate& estimate) { append(estimate, estimate.utime); }
+  /// Adds an estimate later than all before it that arrives at `arrived` on the common clock [us].
+  void append(const LocalEstimate& estimate, std::int64_t arrived) {
     kept_[heard_ % kMemory] = estimate;
+    arrived_ = arrived;
     ++heard_;
   }
+  /// Says when the newest estimate arrived, on the common clock [us].
+  void note_arrival(std::int64_t arrived) { arrived_ = arrived; }
   /// Forgets all but the newest, which is a candidate again.
   void restart() {
     const LocalEstimate last = newest();
     heard_ = 0;
-    append(last);
+    append(last, arrived_);
   }
 
   std::size_t heard() const { return heard_; }  ///< Estimates since the first or the last restart.
@@ -49,12 +54,15 @@ class LocalTrack {
   }
   /// Seconds from the newest estimate to `utime`.
   double age(std::int64_t utime) const { return core::seconds(utime - newest().utime); }
+  /// Seconds from the arrival of the newest estimate to `utime`: what its node has been silent of it.
+  double silence(std::int64_t utime) const { return core::seconds(utime - arrived_); }
   /// The newest estimate carried to `utime` at its own velocity.
   Eigen::Vector4d state_at(std::int64_t utime) const { return core::moved(newest().state, age(utime)); }
 
  private:
   std::array<LocalEstimate, kMemory> kept_;
   std::size_t heard_ = 0;
+  std::int64_t arrived_ = 0;  ///< Of the newest, on the common clock [us].
 };
 
 }  // namespace lookout::fusion

@@ -16,7 +16,8 @@ enum class MutualSupport { a, b, c, d };
 class MutualSupportFusion final : public ScalarWeightFusion {
  public:
   /// One of the paper's four variants, dw_a to dw_d.
-  explicit MutualSupportFusion(MutualSupport variant) : variant_(variant) {}
+  explicit MutualSupportFusion(MutualSupport variant, const LearnedGeometryParams& errors = {})
+      : ScalarWeightFusion(errors), variant_(variant) {}
 
  private:
   void support(const TrackGroup& group, std::vector<double>& support) override;

@@ -14,16 +14,25 @@ void normalise(std::vector<double>& support) {
 
 std::span<const FusedState> ScalarWeightFusion::fuse(std::span<const TrackGroup> groups) {
   look_at_all(groups);
-  fused_.assign(groups.size(), FusedState{});
-  for (std::size_t g = 0; g < groups.size(); ++g) {
-    const auto& contributions = groups[g].contributions;
-    weights_.assign(contributions.size(), 1.0);
-    if (!groups[g].is_new) support(groups[g], weights_);
+  errors_.learn(groups);
+  fused_.clear();
+  for (const TrackGroup& group : groups) {
+    weights_.assign(group.contributions.size(), 1.0);
+    if (!group.is_new) support(group, weights_);
     normalise(weights_);
-    for (std::size_t i = 0; i < contributions.size(); ++i)
-      fused_[g].state += weights_[i] * contributions[i].current;  // [Li2018] Eq. (19)
+    fused_.push_back(weighted_mean(group));
   }
   return fused_;
+}
+
+FusedState ScalarWeightFusion::weighted_mean(const TrackGroup& group) const {
+  FusedState fused;
+  for (std::size_t i = 0; i < weights_.size(); ++i) {
+    const Contribution& contribution = group.contributions[i];
+    fused.state += weights_[i] * contribution.current;  // [Li2018] Eq. (19)
+    fused.covariance += weights_[i] * weights_[i] * errors_.covariance_of(group, contribution);
+  }
+  return fused;
 }
 
 void SingleNode::support(const TrackGroup& group, std::vector<double>& support) {

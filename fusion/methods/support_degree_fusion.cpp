@@ -46,7 +46,9 @@ double squared_residual(const TrackGroup& group, const Contribution& contributio
 
 }  // namespace
 
-SupportDegreeFusion::SupportDegreeFusion(const SupportDegreeParams& params) : params_(params) {
+SupportDegreeFusion::SupportDegreeFusion(const SupportDegreeParams& params,
+                                         const LearnedGeometryParams& errors)
+    : ScalarWeightFusion(errors), params_(params) {
   core::require_positive("length_unit", params.length_unit);
 }
 

@@ -26,7 +26,7 @@ struct SupportDegreeParams {
 class SupportDegreeFusion final : public ScalarWeightFusion {
  public:
   /// @throws std::invalid_argument on a unit that is not positive.
-  explicit SupportDegreeFusion(const SupportDegreeParams& params);
+  explicit SupportDegreeFusion(const SupportDegreeParams& params, const LearnedGeometryParams& errors = {});
 
  private:
   using Points = std::vector<std::optional<HoughPoint>>;
@@ -45,6 +45,10 @@ class SupportDegreeFusion final : public ScalarWeightFusion {
 /// The repaired weights: residuals across and along the track and of the course, all in metres about the
 /// predicted position, and a support that neither vanishes nor is linear. docs/fusion.md, `sdf_fixed`.
 class SupportDegreeFixed final : public ScalarWeightFusion {
+ public:
+  /// @param errors where learning of the nodes' errors begins.
+  explicit SupportDegreeFixed(const LearnedGeometryParams& errors = {}) : ScalarWeightFusion(errors) {}
+
  private:
   void support(const TrackGroup& group, std::vector<double>& support) override;
 

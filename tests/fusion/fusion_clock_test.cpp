@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "core/frames.hpp"
@@ -73,7 +74,102 @@ TEST_F(TwoNodes, ANodeIsLateByThreeSeconds) {
     update(time);
   }
   ASSERT_EQ(tracks.size(), 2u);
-  EXPECT_NEAR(error(0, 1, 15.0), 0.0, 1e-6);  // Carried forward at its own velocity.
+  EXPECT_NEAR(error(0, 1, 15.0), 0.0, 1e-6);     // Carried forward at its own velocity.
+  EXPECT_NEAR(tracks[0].existence, 0.99, 1e-9);  // 1 - 0.1^2: the late node has its vote.
+  EXPECT_EQ(fusion.count(Intake::accepted), 2 * 31 + 2 * 25);
+  EXPECT_EQ(fusion.late(), 0);
+  EXPECT_NEAR(fusion.clock().delay(2), 3.0, 1e-6);
+  EXPECT_EQ(fusion.clock().offset(2), 0);
+}
+
+/// Target 2 is seen by the late node alone.
+TEST_F(TwoNodes, ALateNodesOwnTargetIsInThePicture) {
+  for (double time = 0.0; time <= 15.0; time += 0.5) {
+    send(1, 1, time);
+    if (time >= 3.0) {
+      send(2, 1, time - 3.0);
+      send(2, 2, time - 3.0);
+    }
+    update(time);
+  }
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_EQ(tracks[1].status, core::TrackStatus::confirmed);
+  EXPECT_NEAR(error(1, 2, 15.0), 0.0, 1e-6);
+}
+
+/// Honest stamps, eight seconds old: a shift of the clock would cost 8 s at 2 m/s, 16 m.
+TEST_F(TwoNodes, ANodeThatIsEightSecondsLateIsNotShifted) {
+  for (double time = 0.0; time <= 30.0; time += 0.5) {
+    send(1, 1, time);
+    if (time >= 8.0) {
+      send(2, 1, time - 8.0);
+      send(2, 2, time - 8.0);
+    }
+    update(time);
+  }
+  EXPECT_EQ(fusion.clock().offset(2), 0);
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_NEAR(error(0, 1, 30.0), 0.0, 1e-6);
+  EXPECT_NEAR(error(1, 2, 30.0), 0.0, 1e-6);
+  EXPECT_NEAR(tracks[0].existence, 0.99, 1e-9);
+}
+
+/// The same stamps from a clock that is eight seconds behind: what it reports is of now.
+TEST_F(TwoNodes, AClockThatIsEightSecondsBehindIsSetByWhereItsTargetsAre) {
+  for (double time = 0.0; time <= 30.0; time += 0.5) {
+    for (int id : {1, 2}) {
+      send(1, id, time);
+      if (time >= 8.0) send(2, id, time, time - 8.0, id);
+    }
+    update(time);
+  }
+  EXPECT_NEAR(core::seconds(fusion.clock().offset(2)), 8.0, 0.5);
+  ASSERT_EQ(tracks.size(), 2u);
+  EXPECT_LT(error(0, 1, 30.0), 0.5 * 2.0);  // Half a second of its way at most.
+  EXPECT_NEAR(tracks[0].existence, 0.99, 1e-9);
+}
+
+TEST_F(TwoNodes, ANodeTooLateToVoteIsCounted) {
+  for (double time = 0.0; time <= 40.0; time += 0.5) {
+    send(1, 1, time);
+    if (time >= 20.0) send(2, 1, time - 20.0);
+    update(time);
+  }
+  EXPECT_EQ(fusion.late(), 41);  // Twenty seconds old is more than `max_age`, ten.
+  ASSERT_EQ(tracks.size(), 1u);
+  EXPECT_NEAR(tracks[0].existence, 0.9, 1e-9);
+}
+
+TEST_F(TwoNodes, NodesThatReportEverySixSecondsShareAPicture) {
+  for (double time = 0.0; time <= 60.0; time += 6.0) {
+    for (std::int32_t node : {1, 2}) {
+      for (int id : {1, 2}) send(node, id, time);
+    }
+    update(time);
+  }
+  EXPECT_LE(fusion.count(Intake::clock), 2);  // The first step is believed when both have made it.
+  ASSERT_EQ(tracks.size(), 2u);
+  for (int id : {1, 2}) EXPECT_NEAR(std::min(error(0, id, 60.0), error(1, id, 60.0)), 0.0, 1e-6) << id;
+  for (const core::Track& track : tracks) EXPECT_NEAR(track.existence, 0.99, 1e-9);
+}
+
+TEST(FusionClock, ALoneNodeThatReportsEverySixSecondsIsHeard) {
+  FusionClock clock({});
+  int refused = 0;
+  for (int k = 0; k < 20; ++k) refused += clock.read(1, microseconds(6.0 * k)).utime ? 0 : 1;
+  EXPECT_LE(refused, 2);
+  EXPECT_EQ(clock.now(), microseconds(114.0));
+}
+
+TEST(FusionClock, TolerancesAreParameters) {
+  FusionClockParams params;
+  params.max_delay = 2.0 * params.tolerance;
+  FusionClock clock(params);
+  clock.read(1, microseconds(100.0));
+  EXPECT_TRUE(clock.read(2, microseconds(91.0)).utime);
+  EXPECT_FALSE(clock.read(3, microseconds(89.0)).utime);
+  params.max_delay = 1.0;
+  EXPECT_THROW(FusionClock{params}, std::invalid_argument);
 }
 
 TEST_F(TwoNodes, ClocksAnHourApart) {
@@ -101,6 +197,8 @@ TEST_F(TwoNodes, ClocksHalfASecondApartCostHalfASecondOfWay) {
   ASSERT_EQ(tracks.size(), 2u);
   EXPECT_EQ(tracks[0].id, 1);
   EXPECT_LT(error(0, 1, 10.5), 0.5 * 2.0 + 1e-6);  // Speed times the difference of the clocks.
+  EXPECT_GT(error(0, 1, 10.5), 0.1);               // Both nodes have a say in it,
+  EXPECT_NEAR(tracks[0].existence, 0.99, 1e-9);    // for both have a vote.
 }
 
 TEST_F(TwoNodes, ARestartOfEverythingBeginsANewPicture) {

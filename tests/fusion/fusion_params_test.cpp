@@ -26,6 +26,20 @@ TEST(FusionParams, ReadsItsKeys) {
   EXPECT_EQ(params.global.coast, 4.0);
 }
 
+TEST(FusionParams, ReadsTheTolerancesOfClockLinkAndRate) {
+  const auto params = read(
+      "{clock_tolerance_s: 2, max_delay_s: 40, max_interval_s: 90, max_age_s: 50, max_gap_s: 70, "
+      "max_silence_s: 80, process_noise: 0.5}");
+  EXPECT_EQ(params.clock.tolerance, 2.0);
+  EXPECT_EQ(params.clock.max_delay, 40.0);
+  EXPECT_EQ(params.clock.max_interval, 90.0);
+  EXPECT_EQ(params.store.max_age, 50.0);
+  EXPECT_EQ(params.store.max_gap, 70.0);
+  EXPECT_EQ(params.store.max_silence, 80.0);
+  EXPECT_EQ(params.global.process_noise, 0.5);
+  EXPECT_THROW(read("{max_delay_s: 1}"), core::InputError);
+}
+
 TEST(FusionParams, TheContractsExampleIsTheDefault) {
   const auto params = read("{support: any, unit: km, origin: zero, association: one_to_one}");
   EXPECT_EQ(params.support_degree.length_unit, 1000.0);

@@ -15,17 +15,18 @@ using testing::target;
 TEST(FusionRegistry, NamesTheMethodsOfTheContractInItsOrder) {
   EXPECT_EQ(fusion_method_names(),
             (std::vector<std::string>{"sdf", "sdf_fixed", "dw_a", "dw_b", "dw_c", "dw_d", "mean", "single",
-                                      "icov", "ci", "ml", "central", "learned"}));
+                                      "icov", "ci", "ci_trace", "ml", "central", "learned"}));
 }
 
-TEST(FusionRegistry, EveryNameMakesAMethodAndFourOfThemNeedCovariances) {
+TEST(FusionRegistry, EveryNameMakesAMethodAndFiveOfThemNeedCovariances) {
   std::vector<std::string> needing;
   for (const std::string& name : fusion_method_names()) {
     FusionParams params;
     params.method = name;
     if (make_fusion_method(params)->needs_covariance()) needing.push_back(name);
   }
-  EXPECT_EQ(needing, (std::vector<std::string>{"icov", "ci", "ml", "central"}));  // docs/fusion.md
+  EXPECT_EQ(needing,
+            (std::vector<std::string>{"icov", "ci", "ci_trace", "ml", "central"}));  // docs/fusion.md
 }
 
 TEST(FusionRegistry, HandsEachMethodItsParameters) {

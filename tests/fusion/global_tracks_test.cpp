@@ -121,6 +121,16 @@ TEST_F(GlobalTracksTest, ACoastingTrackEndsAfterAsLongAsItLivedAndItsNumberIsNot
   EXPECT_EQ(globals.tracks()[0].id, 2);
 }
 
+TEST_F(GlobalTracksTest, CoastingGrowsTheCovariance) {
+  update(1.0, {{1, {0, 0}, kNone}});
+  update(3.0, {{1, {2, 0}, 0}});
+  const Eigen::Matrix4d before = globals.tracks()[0].covariance;
+  update(4.5, {});
+  // 1 + dt^2 1 + q dt^3 / 3 after dt = 1.5 s from the unit matrix, q = 0.01.
+  EXPECT_NEAR(globals.tracks()[0].covariance(0, 0), before(0, 0) + 2.25 + 0.01 * 3.375 / 3.0, 1e-12);
+  EXPECT_NEAR(globals.tracks()[0].covariance(2, 2), before(2, 2) + 0.015, 1e-12);
+}
+
 TEST(GlobalTracks, RefusesBadParameters) {
   GlobalTracksParams params;
   params.probation = 0;

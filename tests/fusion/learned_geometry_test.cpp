@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 
 #include "core/random.hpp"
+#include "fusion/methods/support_degree_fusion.hpp"
 #include "tests/fusion/test_nodes.hpp"
 
 namespace lookout::fusion {
@@ -30,10 +32,15 @@ LocalTrack look(const Sensor& sensor, std::int32_t id, const Eigen::Vector2d& ta
   return tracklet(id, {seen.x(), seen.y(), 1.0, 0.0}, sensor.position);
 }
 
-/// Mean squared error of the last 50 of 150 updates, six targets about the origin.
-double learn(LearnedGeometry& method, const std::vector<Sensor>& sensors) {
-  core::Random random(1001);
+/// Mean squared error of the last 50 of 150 updates, six targets about the origin; the mean of the squared
+/// position errors under the stated covariances over their two degrees too.
+struct Accuracy {
   double squared = 0.0;
+  double nees = 0.0;
+};
+Accuracy accuracy_of(FusionMethod& method, const std::vector<Sensor>& sensors) {
+  core::Random random(1001);
+  Accuracy result;
   for (int k = 0; k < 150; ++k) {
     std::vector<Eigen::Vector2d> targets;
     std::vector<std::vector<LocalTrack>> tracks(6);
@@ -46,10 +53,18 @@ double learn(LearnedGeometry& method, const std::vector<Sensor>& sensors) {
     }
     const auto fused = method.fuse(groups);
     if (k < 100) continue;
-    for (std::size_t g = 0; g < targets.size(); ++g)
-      squared += (fused[g].state.head<2>() - targets[g]).squaredNorm();
+    for (std::size_t g = 0; g < targets.size(); ++g) {
+      const Eigen::Vector2d error = fused[g].state.head<2>() - targets[g];
+      const Eigen::Matrix2d covariance = fused[g].covariance.topLeftCorner<2, 2>();
+      result.squared += error.squaredNorm() / 300.0;
+      result.nees += 0.5 * error.dot(covariance.inverse() * error) / 300.0;
+    }
   }
-  return squared / 300.0;
+  return result;
+}
+
+double learn(LearnedGeometry& method, const std::vector<Sensor>& sensors) {
+  return accuracy_of(method, sensors).squared;
 }
 
 const std::vector<Sensor> kFour{{{-100, -100}, 4.0, 0.005},
@@ -89,6 +104,37 @@ TEST(LearnedGeometry, BeatsTheMeanFarWhereEllipsesAreLong) {
   // Four sensors at 140 m: across 0.7 m, along 4 m. The information of two pairs at right angles is
   // 2 (1/0.49 + 1/16) in each direction: 0.49 m^2 in all; the mean has (0.49 + 16) / 4 = 4.1 m^2.
   EXPECT_LT(learn(method, kFour), 1.15 * 0.49);
+}
+
+// 300 errors of two degrees: the mean of their squares has a standard error of 1/sqrt(300) = 0.06; what is
+// learned of 25 updates adds as much again.
+TEST(LearnedGeometry, StatesWhatItsErrorsAre) {
+  LearnedGeometry learned({});
+  EXPECT_NEAR(accuracy_of(learned, kFour).nees, 1.0, 0.3);
+}
+
+TEST(LearnedGeometry, ScalarWeightsStateWhatTheirErrorsAreToo) {
+  MeanFusion mean;
+  SupportDegreeFixed repaired;
+  EXPECT_NEAR(accuracy_of(mean, kFour).nees, 1.0, 0.3);
+  EXPECT_NEAR(accuracy_of(repaired, kFour).nees, 1.0, 0.4);  // Its weights depend on the errors.
+}
+
+TEST(LearnedGeometry, FindsTheErrorOfVelocities) {
+  LearnedGeometry method({});
+  core::Random random(1003);
+  for (int k = 0; k < 200; ++k) {
+    std::vector<LocalTrack> tracks;
+    for (std::int32_t id : {1, 2, 3})
+      tracks.push_back(tracklet(
+          id, {random.gaussian(1.0), random.gaussian(1.0), random.gaussian(2.0), random.gaussian(0.2)},
+          {-100.0, 0.0}));
+    const std::vector<TrackGroup> groups{group({0, 0, 0, 0}, tracks)};
+    method.fuse(groups);
+  }
+  // 2 m/s along the line of sight, .2 m/s across it at 100 m; 25 updates of three nodes.
+  EXPECT_NEAR(std::sqrt(method.quality(1).range_rate_variance), 2.0, 0.6);
+  EXPECT_NEAR(std::sqrt(method.quality(1).bearing_rate_variance), 0.002, 0.0006);
 }
 
 TEST(LearnedGeometry, OneNodeAloneIsTakenAsItIs) {

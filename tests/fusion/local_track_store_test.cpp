@@ -23,6 +23,14 @@ TEST(LocalTrackStore, TwoEstimatesMakeATrackletOneACandidate) {
   EXPECT_TRUE(store.votes(store.tracks().begin()->second, core::microseconds(0.5)));
 }
 
+TEST(LocalTrackStore, OnASlowLinkACandidateMayVote) {
+  LocalTrackStoreParams params;
+  params.min_estimates = 1;
+  LocalTrackStore store(params);
+  store.add(estimate(1, 1, 0.0, kState));
+  EXPECT_TRUE(store.votes(store.tracks().begin()->second, microseconds(0.0)));
+}
+
 TEST(LocalTrackStore, RefusesDuplicatesAndOlderEstimates) {
   LocalTrackStore store({});
   EXPECT_EQ(store.add(estimate(1, 1, 1.0, kState)), Intake::accepted);
@@ -65,13 +73,37 @@ TEST(LocalTrackStore, ATrackSkippedTwiceByItsNodeLosesItsVote) {
   EXPECT_TRUE(store.votes(store.tracks().at({1, 2}), core::microseconds(5.5)));
 }
 
+TEST(LocalTrackStore, ALateNodeKeepsItsVoteByWhenItsMessagesArrive) {
+  LocalTrackStore store({});
+  for (int k = 0; k <= 8; ++k)  // Every half second, three seconds late.
+    store.add(estimate(1, 1, 0.5 * k, kState), microseconds(0.5 * k + 3.0));
+  const LocalTrack& track = store.tracks().begin()->second;
+  EXPECT_TRUE(store.votes(track, microseconds(7.5)));
+  EXPECT_FALSE(store.votes(track, microseconds(8.7)));  // Nothing for more than 1.6 s.
+}
+
+TEST(LocalTrackStore, ANodeThatReportsEverySixSecondsHasTracklets) {
+  LocalTrackStore store({});
+  for (int k = 0; k <= 3; ++k) store.add(estimate(1, 1, 6.0 * k, kState));
+  const LocalTrack& track = store.tracks().begin()->second;
+  EXPECT_TRUE(track.is_tracklet());
+  EXPECT_TRUE(store.votes(track, microseconds(23.9)));
+  EXPECT_FALSE(store.votes(track, microseconds(27.1)));  // 1.5 turns of 6 s.
+}
+
+TEST(LocalTrackStore, ATracksTurnIsAsLongAsItsNodeHasTracks) {
+  LocalTrackStore store({});
+  for (int k = 0; k <= 11; ++k) store.add(estimate(1, k % 3, 4.0 * k, kState));  // Each every 12 s.
+  for (const auto& [key, track] : store.tracks()) EXPECT_TRUE(track.is_tracklet()) << key.second;
+}
+
 TEST(LocalTrackStore, ForgetsTheLongSilentAndBoundsItsMemory) {
   LocalTrackStoreParams params;
   params.max_tracks = 2;
   LocalTrackStore store(params);
   store.add(estimate(1, 1, 0.0, kState));
-  store.add(estimate(1, 2, 20.0, kState));
-  EXPECT_EQ(store.add(estimate(1, 3, 20.0, kState)), Intake::too_many);
+  store.add(estimate(2, 2, 20.0, kState));
+  EXPECT_EQ(store.add(estimate(2, 3, 20.0, kState)), Intake::too_many);
   store.forget_silent(core::microseconds(31.0));
   EXPECT_EQ(store.tracks().size(), 1u);
 }

@@ -39,7 +39,8 @@ int fuse_command(const Options& options) {
            std::to_string(node.refused()) + " (" + std::to_string(fusion.count(Intake::duplicate)) +
            " duplicates, " + std::to_string(fusion.count(Intake::out_of_order)) + " out of order, " +
            std::to_string(fusion.count(Intake::clock)) + " on another clock, " +
-           std::to_string(fusion.count(Intake::no_covariance)) + " without covariance)");
+           std::to_string(fusion.count(Intake::no_covariance)) + " without covariance); " +
+           std::to_string(fusion.late()) + " too late to vote");
   return end_of_link(bus);
 }
 
