@@ -3,7 +3,8 @@
 
 Reads results.json and rmse_over_time.csv in DIR; writes, for each azimuth noise and fault, rmse_NOISE_FAULT.png
 (position RMSE of each target over time, by method, in the manner of Figures 2 to 4 of Li, Fan, Yuan, Li), and
-comparison.md (every figure with its standard error beside the one of the prototype in
+structure.png (Figure 1: the two structures of track fusion), scene.png (Figures 2 and 3: true courses, what the radars
+tell, what printed `sdf` makes of it), nees.md (how honest each method's covariance is), and comparison.md (every figure with its standard error beside the one of the prototype in
 tools/data/t2gt_reference.csv, their ratio, and how many of them agree).
 """
 import collections
@@ -48,6 +49,65 @@ def draw(noise, fault, curves, path):
     figure.suptitle(f"azimuth noise {noise}, fault {fault}")
     figure.tight_layout()
     save_both(figure, path)
+
+
+def draw_structure(path):
+    """Figure 1 of the paper: local track to local track, and local track to global track."""
+    figure, axes = plt.subplots(1, 2, figsize=(10, 3.2))
+    for axis, feeds_back, title in zip(axes, (False, True), ("local to local", "local to global, as here")):
+        axis.set_axis_off()
+        axis.set_xlim(0, 10)
+        axis.set_ylim(0, 4)
+        for k in range(3):
+            axis.text(1.2, 3.2 - 1.2 * k, f"node {k + 1}", bbox={"boxstyle": "round", "fc": "w"}, ha="center")
+            axis.annotate("", (4.2, 2.0), (2.2, 3.2 - 1.2 * k), arrowprops={"arrowstyle": "->"})
+            axis.text(3.1, 3.0 - 1.0 * k, "tracklets" if feeds_back else "tracks", fontsize=7, ha="center")
+        axis.text(5.4, 2.0, "association,\nfusion", bbox={"boxstyle": "round", "fc": "w"}, ha="center", va="center")
+        axis.annotate("", (8.0, 2.0), (6.6, 2.0), arrowprops={"arrowstyle": "->"})
+        axis.text(8.9, 2.0, "global\ntracks", bbox={"boxstyle": "round", "fc": "w"}, ha="center", va="center")
+        if feeds_back:
+            axis.annotate("", (5.4, 1.3), (8.9, 1.3), arrowprops={"arrowstyle": "->", "connectionstyle": "arc3,rad=-0.4"})
+            axis.text(7.2, 0.4, "prediction", fontsize=7, ha="center")
+        axis.set_title(title)
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
+def draw_scene(rows, path):
+    """Figures 2 and 3 of the paper side by side."""
+    figure, axes = plt.subplots(1, 2, figsize=(12, 5.5), sharex=True, sharey=True)
+    for axis, kind, style, label in zip(axes, ("local", "fused"), ("x", "o"), ("radars' estimates", "printed sdf")):
+        for name, marker, text in (("truth", "k-", "targets"), (kind, style, label)):
+            tracks = collections.defaultdict(list)
+            for row in rows:
+                if row["kind"] == name:
+                    tracks[row["id"]].append((float(row["north_m"]) / 1e3, float(row["east_m"]) / 1e3))
+            for k, points in enumerate(tracks.values()):
+                axis.plot(*zip(*points), marker, markersize=3, linewidth=0.8, color="k" if name == "truth" else f"C{k}",
+                          label=text if k == 0 else None)
+        axis.set_xlabel("x [km]")
+        axis.set_ylabel("y [km]")
+        axis.legend(fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, dpi=110)
+    plt.close(figure)
+
+
+def write_nees(results, path):
+    """NEES over its four degrees by method and column: 1 where covariances say what errors are."""
+    table = collections.defaultdict(dict)
+    for cell in results["cells"]:
+        parameters = cell["parameters"]
+        if parameters["targets"] != 4 or "nees" not in cell["metrics"]:
+            continue
+        name = " ".join([cell["method"]] + [str(parameters[key]) for key in ("support", "origin", "unit", "association",
+                                                                              "radar") if key in parameters])
+        table[name][(parameters["azimuth_noise"], parameters["fault"])] = cell["metrics"]["nees"]["mean"]
+    lines = ["NEES / 4, mean over targets and scans 6 to 25.", "", "| method | " + " | ".join(" ".join(c) for c in COLUMNS) +
+             " |", "|" + " --- |" * (len(COLUMNS) + 1)]
+    for name, row in table.items():
+        lines.append(f"| {name} | " + " | ".join(f"{row[c]:.2f}" if c in row else "" for c in COLUMNS) + " |")
+    path.write_text("\n".join(lines) + "\n")
 
 
 def measured(results):
@@ -120,7 +180,12 @@ def order_lines(found, reference):
 
 def main():
     directory = pathlib.Path(sys.argv[1])
-    write_comparison(json.loads((directory / "results.json").read_text()), directory / "comparison.md")
+    results = json.loads((directory / "results.json").read_text())
+    write_comparison(results, directory / "comparison.md")
+    write_nees(results, directory / "nees.md")
+    draw_structure(directory / "structure.png")
+    with open(directory / "scene.csv", newline="") as file:
+        draw_scene(list(csv.DictReader(file)), directory / "scene.png")
     for (noise, fault), curves in read_curves(directory / "rmse_over_time.csv").items():
         draw(noise, fault, curves, directory / f"rmse_{noise.replace('.', '')}_{fault}.png")
 

@@ -1,9 +1,12 @@
 #include "tools/experiments/fusion/fused_run.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <memory>
 #include <stdexcept>
 
+#include "core/random.hpp"
+#include "lcmtypes/compact_estimate.hpp"
 #include "lcmtypes/message_size.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"
@@ -23,8 +26,10 @@ class Vehicle {
         seed_(run_seed(seed, run) + index),
         node_id_(scene.platforms[index].node_id),
         outage_(params.outage),
-        sender_(link_of(params, scene.platforms[index].node_id),
-                lcmtypes::local_estimate_bytes(params.link.with_covariance)) {}
+        sender_(link_of(params, scene.platforms[index].node_id), message_bytes(params)),
+        acoustic_(params.acoustic),
+        fate_(seed, core::RandomStream::experiment,
+              static_cast<std::uint64_t>(run) * scene.platforms.size() + index) {}
 
   std::size_t num_scans() const { return scans_.size(); }
   const TimedScan& scan(std::size_t k) const { return scans_[k]; }
@@ -44,10 +49,14 @@ class Vehicle {
     return {tracks.begin(), tracks.end()};
   }
 
-  std::span<const core::LocalEstimate> send(std::size_t k, const std::vector<core::Track>& tracks) {
+  /// What of the vehicle's estimates arrives at the time of scan `k`.
+  std::vector<core::LocalEstimate> send(std::size_t k, const std::vector<core::Track>& tracks) {
     const auto& posed = scans_[k].posed;
     const Eigen::Vector2d p_earth_sonar(posed.T_earth_sonar.north, posed.T_earth_sonar.east);
-    return sender_.select({posed.scan.utime, static_cast<std::int64_t>(k), p_earth_sonar}, tracks);
+    const auto sent = sender_.select({posed.scan.utime, static_cast<std::int64_t>(k), p_earth_sonar}, tracks);
+    if (acoustic_.turn == 0.0) return {sent.begin(), sent.end()};
+    for (const core::LocalEstimate& estimate : sent) transmit(estimate);
+    return arrivals(posed.scan.utime);
   }
 
  private:
@@ -58,10 +67,34 @@ class Vehicle {
     return sonar;
   }
 
+  static int message_bytes(const FusedRunParams& params) {
+    return params.acoustic.turn > 0.0 ? static_cast<int>(lcmtypes::kCompactBytes)
+                                      : lcmtypes::local_estimate_bytes(params.link.with_covariance);
+  }
+
   static tracking::LocalEstimateSenderParams link_of(const FusedRunParams& params, std::int32_t node_id) {
     tracking::LocalEstimateSenderParams link = params.link;
     link.node_id = node_id;
+    if (params.acoustic.turn > 0.0) {
+      link.with_covariance = true;
+      link.burst_bytes = static_cast<double>(lcmtypes::kCompactBytes);
+      link.bytes_per_second = link.burst_bytes / params.acoustic.turn;
+    }
     return link;
+  }
+
+  void transmit(const core::LocalEstimate& estimate) {
+    const auto packet = lcmtypes::pack(estimate);
+    if (!packet) throw std::invalid_argument("an estimate does not fit the acoustic packet");
+    if (fate_.uniform(0.0, 1.0) < acoustic_.loss) return;
+    under_way_.push_back({estimate.utime + core::microseconds(acoustic_.delay), *packet});
+  }
+
+  std::vector<core::LocalEstimate> arrivals(std::int64_t now) {
+    std::vector<core::LocalEstimate> arrived;
+    for (; !under_way_.empty() && under_way_.front().first <= now; under_way_.pop_front())
+      arrived.push_back(lcmtypes::unpack(under_way_.front().second, now).value());
+    return arrived;
   }
 
   std::vector<TimedScan> scans_;
@@ -72,6 +105,9 @@ class Vehicle {
   Outage outage_;
   std::unique_ptr<tracking::ScanPipeline> pipeline_;
   tracking::LocalEstimateSender sender_;
+  AcousticLink acoustic_;
+  core::Random fate_;                                                         ///< Of packets.
+  std::deque<std::pair<std::int64_t, lcmtypes::CompactEstimate>> under_way_;  ///< With their arrival [us].
 };
 
 std::vector<Vehicle> make_vehicles(const sonar_sim::Scene& scene, const FusedRunParams& params,

@@ -19,11 +19,19 @@ struct Outage {
   double end = 0.0;          ///< [s]
 };
 
+/// An acoustic link: one packed estimate (lcmtypes/compact_estimate.hpp) a turn and node.
+struct AcousticLink {
+  double turn = 0.0;   ///< Between two packets of a node [s]; 0: no such link, but the thin one.
+  double loss = 0.0;   ///< Probability that a packet is lost.
+  double delay = 0.0;  ///< From sending to arrival [s].
+};
+
 /// What to run: a scene of several vehicles, their trackers, their links and the fusion.
 struct FusedRunParams {
   std::string tracker = "joint";
   fusion::FusionParams fusion;
   tracking::LocalEstimateSenderParams link;  ///< Of each node, with its own id.
+  AcousticLink acoustic;
   Outage outage;
 };
 

@@ -1,5 +1,6 @@
 #include "tools/experiments/fusion/t2gt.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,11 +17,16 @@ namespace {
 constexpr int kFirstScored = 6;  // Scans; docs/fusion.md.
 constexpr int kBirthScan = 3;    // Global tracks are formed here; docs/fusion.md.
 constexpr double kDefaultAzimuth = core::radians(0.05);
+constexpr double kMostTargets = 4.0;
 const Eigen::Vector2d kFusionNode(21000.0, 24000.0);
 const std::vector<std::string> kNoises{"0.05deg", "0.5deg", "0.05rad"};
 
-/// Squared position error of each target at each scan; NaN where its global track is gone.
-using Errors = std::array<std::array<double, kRadarScans>, 4>;
+/// Of each target at each scan; NaN where its global track is gone.
+using PerScan = std::array<std::array<double, kRadarScans>, 4>;
+struct Errors {
+  PerScan squared;  ///< Position error [m^2].
+  PerScan nees;     ///< Of position and velocity under the stated covariance, over its four degrees.
+};
 
 RadarSceneParams scene_of(const Cell& cell) {
   RadarSceneParams params;
@@ -44,6 +50,7 @@ fusion::FusionParams fusion_of(const Cell& cell) {
   params.global.birth_estimates = kBirthScan + 1;
   params.learned.range_sigma = 100.0;  // docs/fusion.md; the bearing's is the default.
   params.kalman = {1.0, kRadarVelocitySigma};
+  params.learned.process_noise = params.global.process_noise = params.kalman.process_noise;
   if (cell.parameters.has("support")) {
     const std::string support = cell.parameters.text("support");
     params.support_degree.reading = support == "all"   ? fusion::SupportReading::all
@@ -85,11 +92,16 @@ void follow_mergers(const fusion::Fusion& fusion, std::vector<std::int64_t>& ids
   }
 }
 
-double squared_error(std::span<const core::Track> tracks, std::int64_t id, const Eigen::Vector2d& truth) {
+/// Writes what the track `id` says of a target, where it is there.
+void note_errors(std::span<const core::Track> tracks, std::int64_t id, const Eigen::Vector4d& truth,
+                 double& squared, double& nees) {
+  constexpr double kDegrees = 4.0;
   for (const core::Track& track : tracks) {
-    if (track.id == id) return (track.position() - truth).squaredNorm();
+    if (track.id != id) continue;
+    const Eigen::Vector4d error = track.state - truth;
+    squared = error.head<2>().squaredNorm();
+    nees = error.dot(track.covariance.ldlt().solve(error)) / kDegrees;
   }
-  return std::numeric_limits<double>::quiet_NaN();
 }
 
 bool is_heard(const Cell& cell, const fusion::LocalEstimate& estimate) {
@@ -102,7 +114,9 @@ Errors errors_of_run(const Cell& cell, std::uint64_t seed, int run) {
   fusion::Fusion fusion(fusion_of(cell));
   std::vector<std::int64_t> ids;
   Errors errors;
-  for (auto& target : errors) target.fill(std::numeric_limits<double>::quiet_NaN());
+  for (PerScan* part : {&errors.squared, &errors.nees}) {
+    for (auto& target : *part) target.fill(std::numeric_limits<double>::quiet_NaN());
+  }
   int scan = 0;
   for (const RadarScan& heard : simulate_radars(scene_of(cell), random)) {
     for (const fusion::LocalEstimate& estimate : heard.estimates) {
@@ -111,9 +125,9 @@ Errors errors_of_run(const Cell& cell, std::uint64_t seed, int run) {
     const auto tracks = fusion.update(core::microseconds(scan * kRadarScanPeriod));
     if (scan == kBirthScan) ids = identities(tracks, heard.truth);
     follow_mergers(fusion, ids);
+    const auto k = static_cast<std::size_t>(scan++);
     for (std::size_t i = 0; i < ids.size(); ++i)
-      errors[i][static_cast<std::size_t>(scan)] = squared_error(tracks, ids[i], heard.truth[i].head<2>());
-    ++scan;
+      note_errors(tracks, ids[i], heard.truth[i], errors.squared[i][k], errors.nees[i][k]);
   }
   return errors;
 }
@@ -122,15 +136,20 @@ std::string target_metric(std::size_t target) {
   return std::string("rmse_").append(std::to_string(target + 1));
 }
 
-/// Root mean square over the scored scans, and how many of them had the track.
-Metric rmse_of(const std::array<double, kRadarScans>& squared) {
+/// Mean over the scored scans, and how many of them had the track.
+Metric mean_of(const std::array<double, kRadarScans>& values) {
   double sum = 0.0, count = 0.0;
-  for (std::size_t scan = kFirstScored; scan < squared.size(); ++scan) {
-    if (!std::isfinite(squared[scan])) continue;
-    sum += squared[scan];
+  for (std::size_t scan = kFirstScored; scan < values.size(); ++scan) {
+    if (!std::isfinite(values[scan])) continue;
+    sum += values[scan];
     count += 1.0;
   }
-  return {std::sqrt(sum / count), count};
+  return {sum / count, count};
+}
+
+Metric rmse_of(const std::array<double, kRadarScans>& squared) {
+  const Metric mean = mean_of(squared);
+  return {std::sqrt(mean.value), mean.weight};
 }
 
 class T2gt final : public Experiment {
@@ -164,12 +183,15 @@ class T2gt final : public Experiment {
     const Errors errors = errors_of_run(cell, seed, run);
     const auto targets = static_cast<std::size_t>(cell.parameters.number("targets"));
     Metrics metrics;
-    double count = 0.0;
+    double count = 0.0, nees = 0.0;
     for (std::size_t i = 0; i < targets; ++i) {
-      const Metric own = rmse_of(errors[i]);
+      const Metric own = rmse_of(errors.squared[i]);
       metrics[target_metric(i)] = own;
       count += own.weight;
+      const Metric honesty = mean_of(errors.nees[i]);
+      if (honesty.weight > 0.0) nees += honesty.value * honesty.weight;
     }
+    if (count > 0.0) metrics["nees"] = {nees / count, count};
     metrics["followed_share"] = count / static_cast<double>(targets * (kRadarScans - kFirstScored));
     return metrics;
   }
@@ -208,44 +230,88 @@ class T2gt final : public Experiment {
     for (const char* support : {"any", "all", "col"}) add("sdf", {{"support", support}});
     add("sdf", {{"support", "any"}, {"origin", "node"}});
     add("sdf", {{"support", "any"}, {"unit", "m"}});
-    for (const char* method : {"sdf_fixed", "learned", "ci", "icov", "ml", "central"}) add(method, {});
+    for (const char* method : {"sdf_fixed", "learned", "ci", "ci_trace", "icov", "ml", "central"})
+      add(method, {});
   }
 };
 
-void T2gt::write_extras(const Drawn& drawn) const {
-  core::CsvWriter csv(drawn.directory + "/rmse_over_time.csv",
-                      "method,azimuth_noise,fault,target,time_s,rmse_m");
-  for (const Cell& cell : drawn.cells) {
-    const Parameters& parameters = cell.parameters;
-    if (parameters.has("association") || parameters.number("targets") < 4.0) continue;
-    std::array<std::array<double, kRadarScans>, 4> sums{}, counts{};
-    for (int run = 0; run < std::min(drawn.runs, cell.max_runs); ++run) {
-      const Errors errors = errors_of_run(cell, drawn.seed, run);
-      for (std::size_t i = 0; i < errors.size(); ++i) {
-        for (std::size_t scan = 0; scan < kRadarScans; ++scan) {
-          if (!std::isfinite(errors[i][scan])) continue;
-          sums[i][scan] += errors[i][scan];
-          counts[i][scan] += 1.0;
-        }
+/// The name of a curve: the method and what tells it from others of the same.
+std::string curve_name(const Cell& cell) {
+  const Parameters& parameters = cell.parameters;
+  std::string name = cell.method;
+  for (const char* key : {"support", "origin", "unit"}) {
+    if (parameters.has(key)) name.append("_").append(parameters.text(key));
+  }
+  if (parameters.has("radar")) name.append("_").append(core::shortest(parameters.number("radar")));
+  return name;
+}
+
+/// Root mean square over the runs of each target at each scan.
+PerScan rmse_over_runs(const Cell& cell, const Drawn& drawn) {
+  PerScan sums{}, counts{};
+  for (int run = 0; run < std::min(drawn.runs, cell.max_runs); ++run) {
+    const Errors errors = errors_of_run(cell, drawn.seed, run);
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      for (std::size_t scan = 0; scan < kRadarScans; ++scan) {
+        if (!std::isfinite(errors.squared[i][scan])) continue;
+        sums[i][scan] += errors.squared[i][scan];
+        counts[i][scan] += 1.0;
       }
     }
-    std::string name = cell.method;
-    for (const char* key : {"support", "origin", "unit"}) {
-      if (parameters.has(key)) name.append("_").append(parameters.text(key));
-    }
-    if (parameters.has("radar")) name.append("_").append(core::shortest(parameters.number("radar")));
-    for (std::size_t i = 0; i < sums.size(); ++i) {
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) {
+    for (std::size_t scan = 0; scan < kRadarScans; ++scan)
+      sums[i][scan] = std::sqrt(sums[i][scan] / counts[i][scan]);
+  }
+  return sums;
+}
+
+/// [Li2018] Fig. 4: the error over time.
+void write_curves(const Drawn& drawn, const std::string& path) {
+  core::CsvWriter csv(path, "method,azimuth_noise,fault,target,time_s,rmse_m");
+  for (const Cell& cell : drawn.cells) {
+    const Parameters& parameters = cell.parameters;
+    if (parameters.has("association") || parameters.number("targets") < kMostTargets) continue;
+    const PerScan rmse = rmse_over_runs(cell, drawn);
+    for (std::size_t i = 0; i < rmse.size(); ++i) {
       for (std::size_t scan = kBirthScan; scan < kRadarScans; ++scan) {
-        csv.text(name)
-            .text(parameters.text("azimuth_noise"))
-            .text(parameters.text("fault"))
-            .integer(static_cast<std::int64_t>(i) + 1);
-        csv.number(static_cast<double>(scan) * kRadarScanPeriod);
-        csv.number(std::sqrt(sums[i][scan] / counts[i][scan])).end_row();
+        csv.text(curve_name(cell)).text(parameters.text("azimuth_noise")).text(parameters.text("fault"));
+        csv.integer(static_cast<std::int64_t>(i) + 1).number(static_cast<double>(scan) * kRadarScanPeriod);
+        csv.number(rmse[i][scan]).end_row();
       }
     }
   }
   csv.close();
+}
+
+/// [Li2018] Fig. 2 and 3, of the first run: the true courses, what each radar tells, what `sdf` makes of it.
+void write_scene(const Cell& cell, std::uint64_t seed, const std::string& path) {
+  core::CsvWriter csv(path, "kind,id,time_s,north_m,east_m");
+  const auto write = [&](const char* kind, std::int64_t id, double time, const Eigen::Vector4d& state) {
+    csv.text(kind).integer(id).number(time).number(state(0)).number(state(1)).end_row();
+  };
+  core::Random random(seed, core::RandomStream::experiment, 0);
+  fusion::Fusion fusion(fusion_of(cell));
+  double time = 0.0;
+  for (const RadarScan& heard : simulate_radars(scene_of(cell), random)) {
+    for (std::size_t i = 0; i < heard.truth.size(); ++i)
+      write("truth", static_cast<std::int64_t>(i) + 1, time, heard.truth[i]);
+    for (const fusion::LocalEstimate& estimate : heard.estimates) {
+      write("local", estimate.node_id, time, estimate.state);
+      fusion.add(estimate);
+    }
+    for (const core::Track& track : fusion.update(core::microseconds(time)))
+      write("fused", track.id, time, track.state);
+    time += kRadarScanPeriod;
+  }
+  csv.close();
+}
+
+void T2gt::write_extras(const Drawn& drawn) const {
+  write_curves(drawn, drawn.directory + "/rmse_over_time.csv");
+  Cell printed{"sdf", with_all("0.05deg", "none"), {}};
+  printed.parameters.set("support", "any");
+  write_scene(printed, drawn.seed, drawn.directory + "/scene.csv");
 }
 
 }  // namespace

@@ -43,6 +43,22 @@ TEST(FusedRun, ADeadNodeReportsNothingWhileItIsDead) {
   for (std::size_t k = 10; k < 20; ++k) EXPECT_TRUE(scans[k].own_tracks[1].empty()) << k;
 }
 
+TEST(FusedRun, AnAcousticLinkCarriesThirtyTwoBytesATurn) {
+  auto params = plain();
+  params.acoustic = {5.0, 0.0, 1.0};
+  const auto run = run_fused(short_scene(), params, 1000, 0);
+  for (const auto& link : run.links) {
+    EXPECT_EQ(link.most_bytes_in_a_second, 32);
+    EXPECT_LE(link.bytes_per_second * 15.0, 32.0 * 3.0);  // Three turns in fifteen seconds.
+  }
+}
+
+TEST(FusedRun, ALinkThatLosesAllShowsNothing) {
+  auto params = plain();
+  params.acoustic = {5.0, 1.0, 0.0};
+  for (const auto& scan : run_fused(short_scene(), params, 1000, 0).scans) EXPECT_TRUE(scan.fused.empty());
+}
+
 TEST(FusedRun, SameSeedSamePicture) {
   const auto a = run_fused(short_scene(), plain(), 1000, 1), b = run_fused(short_scene(), plain(), 1000, 1);
   ASSERT_EQ(a.scans.back().fused.size(), b.scans.back().fused.size());

@@ -42,6 +42,21 @@ TEST(T2gt, LearnedGeometryShutsOutABiasThatKnownCovariancesCannot) {
   EXPECT_LT(5.0 * rmse("learned", "0.05deg", "bias"), rmse("central", "0.05deg", "bias"));
 }
 
+/// Four radars of equal noise, no fault: covariances that are not sent are learned, and say what errors are.
+/// The radars' filters share the targets' own accelerations, which disagreement does not show.
+TEST(T2gt, CovariancesAreHonest) {
+  MonteCarloOptions options;
+  options.seed = 1000;
+  options.runs = 40;
+  options.jobs = 1;
+  const auto experiment = make_t2gt();
+  for (const char* method : {"learned", "mean", "sdf_fixed", "ml"}) {
+    options.only = {{"method", method}, {"azimuth_noise", "0.5deg"}, {"fault", "none"}, {"targets", "4"}};
+    const auto result = run_monte_carlo(*experiment, "t2gt", options);
+    EXPECT_NEAR(result.cells.front().metrics.at("nees").mean, 1.0, 0.4) << method;
+  }
+}
+
 TEST(T2gt, PrintedWeightsDoNotBeatTheMean) {
   const double any =
       rmse({{"method", "sdf"}, {"support", "any"}, {"azimuth_noise", "0.05deg"}, {"fault", "none"}});
