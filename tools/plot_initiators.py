@@ -1,8 +1,9 @@
 #!/usr/bin/python3
 """Plots of the initiator experiments: accumulators as pictures, scores and time against the clutter.
 
-Usage: plot_initiators.py DIR, where `lookout experiment nht-simulated|nht-real|agfht-table2|agfht-sweep --out DIR`
-has written. Also writes growth.csv: the exponent b of time ~ clutter^b, a straight line through the logarithms.
+Usage: plot_initiators.py DIR, where `lookout experiment NAME --out DIR` has written, NAME one of nht-simulated nht-real
+agfht-table2 agfht-sweep initiator-curves initiator-limits. Accumulators are drawn flat and as surfaces, scenes with the
+started tracks. Also writes growth.csv: the exponent b of time ~ clutter^b, a straight line through the logarithms.
 """
 import csv
 import json
@@ -10,11 +11,18 @@ import math
 import pathlib
 import sys
 
+import numpy as np
+
 from plot_style import plt, save_both
 
 SWEPT = [("p1", "$P_1$"), ("p2", "$P_2$"), ("p3", "$P_3$"), ("discrimination", "discrimination $D$"),
          ("found", "found"), ("false_per_run", "false tracks a run"), ("time_ms", "time [ms]")]
 LOGARITHMIC = {"time_ms"}
+SHORT = {"scans": "N", "window_scans": "of", "min_plots": "K", "detection_probability": "$P_D$",
+         "threshold": "at", "max_turn_rate_deg": "turns to"}
+LIMITS = [("turn_rate_deg", "turn rate [degrees/s]"), ("acceleration", "acceleration [m/s$^2$]")]
+STYLES = ["-", "--", "-.", ":"]
+MARKERS = "osD^vP*X"
 SITUATIONS = ["I", "II", "III", "IV", "real"]
 
 
@@ -30,9 +38,12 @@ def save(figure, path):
 
 
 def label_of(cell):
-    """Method and every parameter but the clutter: one curve."""
-    parameters = cell["parameters"]
-    words = [cell["method"]] + [str(parameters[name]) for name in ("variant", "noise") if name in parameters]
+    """Method and every parameter but the clutter and the scene's situation: one curve."""
+    words = [cell["method"]]
+    for name, value in cell["parameters"].items():
+        if name in ("clutter_per_scan", "situation"):
+            continue
+        words.append(value if isinstance(value, str) else f"{SHORT.get(name, name)} {value:g}")
     return " ".join(words)
 
 
@@ -46,7 +57,8 @@ def curves_of(cells):
         curves.setdefault(label_of(cell), []).append(cell)
     for curve in curves.values():
         curve.sort(key=lambda cell: cell["parameters"]["clutter_per_scan"])
-    return {label: curve for label, curve in curves.items() if len(curve) > 1}
+    clutters = {label: {cell["parameters"]["clutter_per_scan"] for cell in curve} for label, curve in curves.items()}
+    return {label: curve for label, curve in curves.items() if len(clutters[label]) > 1}
 
 
 def points_of(curve, metric, source="metrics"):
@@ -84,8 +96,11 @@ def plot_against_clutter(directory, curves):
 
 
 def growth_exponent(points):
+    """None where the points have one clutter only, or no time."""
     xs = [math.log(x) for x, y in points if y > 0]
     ys = [math.log(y) for x, y in points if y > 0]
+    if len(set(xs)) < 2:
+        return None
     mean_x, mean_y = sum(xs) / len(xs), sum(ys) / len(ys)
     return sum((x - mean_x) * (y - mean_y) for x, y in zip(xs, ys)) / sum((x - mean_x) ** 2 for x in xs)
 
@@ -96,8 +111,9 @@ def write_growth(directory, curves):
         writer.writerow(["curve", "exponent", "time_ms_least_clutter", "time_ms_most_clutter"])
         for label, curve in curves.items():
             points = points_of(curve, "time_ms")
-            if len(points) > 1:
-                writer.writerow([label, f"{growth_exponent(points):.2f}", points[0][1], points[-1][1]])
+            exponent = growth_exponent(points)
+            if exponent is not None:
+                writer.writerow([label, f"{exponent:.2f}", points[0][1], points[-1][1]])
 
 
 def draw_picture(axis, path):
@@ -126,17 +142,152 @@ def plot_pictures(directory):
         save(figure, directory / f"accumulator_{name}.png")
 
 
+def cells_of_picture(path, columns=120):
+    """The votes of a picture on a coarse grid of theta and rho, the largest of each cell: a surface that can be seen."""
+    votes = [row for row in rows_of(path) if row["target"] == "0"]
+    if not votes:
+        return None
+    theta = [float(row["theta_rad"]) for row in votes]
+    rho = [float(row["rho_m"]) for row in votes]
+    low, high = min(rho), max(rho) or 1.0
+    heights = np.zeros((columns, columns))
+    for t, r, row in zip(theta, rho, votes):
+        i = min(columns - 1, int(t / math.pi * columns))
+        j = min(columns - 1, int((r - low) / max(high - low, 1e-9) * columns))
+        heights[j, i] = max(heights[j, i], float(row["value"]))
+    return np.linspace(0, math.pi, columns), np.linspace(low, high, columns), heights
+
+
+def plot_surfaces(directory):
+    """The accumulators in three dimensions, as the papers draw them: one figure a scene, a panel a method."""
+    for situation in SITUATIONS:
+        paths = sorted(directory.glob(f"accumulator_{situation}_*.csv"))
+        pictures = [(path.stem.split("_", 2)[2], cells_of_picture(path)) for path in paths]
+        pictures = [(name, cells) for name, cells in pictures if cells is not None]
+        if not pictures:
+            continue
+        figure = plt.figure(figsize=(5 * len(pictures), 4.5))
+        for k, (name, (theta, rho, heights)) in enumerate(pictures, 1):
+            axis = figure.add_subplot(1, len(pictures), k, projection="3d")
+            axis.plot_surface(*np.meshgrid(theta, rho), heights, cmap="viridis", rcount=120, ccount=120)
+            axis.set_xlabel(r"$\theta$ [rad]")
+            axis.set_ylabel(r"$\rho$ [m]")
+            axis.set_zlabel("votes")
+            axis.set_title(name)
+        save(figure, directory / f"surface_{situation}.png")
+
+
+def draw_scene(axis, rows):
+    def points(kind):
+        own = [row for row in rows if row["kind"] == kind]
+        return [float(row["x_m"]) for row in own], [float(row["y_m"]) for row in own]
+
+    axis.plot(*points("clutter"), ".", color="0.6", markersize=2, label="clutter")
+    axis.plot(*points("target"), "k+", markersize=6, label="plots of targets")
+    tracks = {}
+    for row in rows:
+        if row["kind"] == "track":
+            tracks.setdefault(row["id"], []).append((float(row["x_m"]), float(row["y_m"])))
+    for k, track in enumerate(tracks.values()):
+        axis.plot(*zip(*track), "-", color="tab:red", linewidth=1, label="started tracks" if k == 0 else None)
+    axis.set_aspect("equal")
+    axis.set_xlabel("x [m]")
+
+
+def plot_scenes(directory):
+    """The plots of a scene and what each method starts there: one figure a scene, a panel a method."""
+    scenes = {}
+    for path in sorted(directory.glob("scene_*_*.csv")):
+        _, situation, name = path.stem.split("_", 2)
+        scenes.setdefault(situation, []).append((name, path))
+    for situation, paths in scenes.items():
+        figure, axes = plt.subplots(1, len(paths), figsize=(5 * len(paths), 4), sharey=True, squeeze=False)
+        for axis, (name, path) in zip(axes[0], paths):
+            draw_scene(axis, rows_of(path))
+            axis.set_title(name)
+        axes[0][0].set_ylabel("y [m]")
+        axes[0][0].legend(fontsize="x-small")
+        save(figure, directory / f"scene_{situation}.png")
+
+
+def grouped(cells, swept):
+    """Cells that have the parameter `swept`, by every other one."""
+    groups = {}
+    for cell in cells:
+        if swept in cell["parameters"]:
+            rest = {name: value for name, value in cell["parameters"].items() if name != swept}
+            groups.setdefault(label_of({"method": cell["method"], "parameters": rest}), []).append(cell)
+    return {label: group for label, group in groups.items() if len(group) > 1}
+
+
+def plot_operating_curves(directory, cells):
+    """P2 against P3 by threshold, a panel for each detection probability."""
+    swept = [cell for cell in cells if "threshold" in cell["parameters"]]
+    detections = sorted({cell["parameters"]["detection_probability"] for cell in swept})
+    if not detections:
+        return
+    figure, axes = plt.subplots(1, len(detections), figsize=(5 * len(detections), 4.5), sharey=True, squeeze=False)
+    for axis, detection in zip(axes[0], detections):
+        own = [cell for cell in swept if cell["parameters"]["detection_probability"] == detection]
+        for k, method in enumerate(dict.fromkeys(cell["method"] for cell in own)):
+            points = [(cell["metrics"]["p3"]["mean"], cell["metrics"]["p2"]["mean"]) for cell in own
+                      if cell["method"] == method and cell["metrics"].get("p3", {}).get("mean") is not None]
+            if points:
+                axis.plot(*zip(*points), STYLES[k % 4], marker=MARKERS[k % 8], markersize=4, label=method)
+        axis.set_xlabel("$P_3$, false share of the declared")
+        axis.set_title(f"$P_D$ = {detection:g}")
+    axes[0][0].set_ylabel("$P_2$, targets with a true track")
+    axes[0][0].legend(fontsize="x-small")
+    save(figure, directory / "operating_curves.png")
+
+
+def plot_limits(directory, cells):
+    """P2 and P3 against what a scene of the papers leaves out."""
+    for swept, axis_label in LIMITS:
+        groups = grouped(cells, swept)
+        if not groups:
+            continue
+        figure, axes = plt.subplots(1, 2, figsize=(11, 4.5))
+        for axis, metric, text in zip(axes, ("p2", "p3"), ("$P_2$", "$P_3$")):
+            for k, (label, group) in enumerate(groups.items()):
+                points = [(cell["parameters"][swept], cell["metrics"][metric]["mean"]) for cell in group
+                          if cell["metrics"].get(metric, {}).get("mean") is not None]
+                if points:
+                    axis.plot(*zip(*points), STYLES[k % 4], marker=MARKERS[k % 8], markersize=4, label=label)
+            axis.set_xlabel(axis_label)
+            axis.set_ylabel(text)
+        axes[0].legend(fontsize="xx-small")
+        save(figure, directory / f"limits_{swept}.png")
+
+
+def plot_times(directory, cells):
+    """Processor time of a window, our bars beside the papers' crosses, on a logarithmic axis."""
+    rows = [cell for cell in cells if "time_ms" in cell["paper"] and cell["metrics"].get("time_ms", {}).get("mean")]
+    if not rows:
+        return
+    figure, axis = plt.subplots(figsize=(9, 0.35 * len(rows) + 1.5))
+    axis.barh(range(len(rows)), [cell["metrics"]["time_ms"]["mean"] for cell in rows], color="tab:blue", label="ours")
+    axis.plot([cell["paper"]["time_ms"] for cell in rows], range(len(rows)), "kx", label="paper")
+    axis.set_yticks(range(len(rows)), [f"{label_of(cell)} clutter {cell['parameters']['clutter_per_scan']:g}"
+                                      for cell in rows], fontsize="x-small")
+    axis.set_xscale("log")
+    axis.set_xlabel("time [ms]")
+    axis.invert_yaxis()
+    axis.legend()
+    save(figure, directory / "times.png")
+
+
 def plot_table(directory, cells):
     """P2 and P3 side by side, the paper's as crosses, where the cells are rows of a table and not a sweep."""
-    rows = [cell for cell in cells if "p3" in cell["metrics"] and "scans" in cell["parameters"]]
+    rows = [cell for cell in cells if "p3" in cell["metrics"] and "scans" in cell["parameters"]
+            and "threshold" not in cell["parameters"]]
     if not rows:
         return
     figure, axes = plt.subplots(1, 2, figsize=(12, 0.35 * len(rows) + 1.5), sharey=True)
     labels = []
     for cell in rows:
         p = cell["parameters"]
-        labels.append(f"{label_of(cell)} N={p['scans']:g} clutter {p['clutter_per_scan']:g} "
-                      f"$P_D$ {p['detection_probability']:g}")
+        labels.append(f"{label_of(cell)} clutter {p['clutter_per_scan']:g}")
     for axis, metric, title in zip(axes, ("p2", "p3"), ("$P_2$", "$P_3$")):
         axis.barh(range(len(rows)), [cell["metrics"][metric]["mean"] or 0.0 for cell in rows], color="tab:blue")
         printed = [(cell["paper"][metric], i) for i, cell in enumerate(rows) if metric in cell["paper"]]
@@ -155,6 +306,11 @@ def main():
     plot_against_clutter(directory, curves)
     write_growth(directory, curves)
     plot_pictures(directory)
+    plot_surfaces(directory)
+    plot_scenes(directory)
+    plot_operating_curves(directory, cells)
+    plot_limits(directory, cells)
+    plot_times(directory, cells)
     plot_table(directory, cells)
 
 

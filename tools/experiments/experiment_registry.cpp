@@ -6,7 +6,9 @@
 #include "tools/experiments/fusion/t2gt.hpp"
 #include "tools/experiments/fusion/two_uuv.hpp"
 #include "tools/experiments/initiation/agfht_experiments.hpp"
+#include "tools/experiments/initiation/initiator_sweeps.hpp"
 #include "tools/experiments/initiation/nht_experiments.hpp"
+#include "tools/experiments/initiation/recording_births.hpp"
 #include "tools/experiments/initiation/sonar_births.hpp"
 #include "tools/experiments/track_before_detect/hpmht_sonar.hpp"
 #include "tools/experiments/track_before_detect/hpmht_video.hpp"
@@ -33,7 +35,11 @@ const std::array kExperiments{
     ExperimentEntry{"nht-real", make_nht_real},
     ExperimentEntry{"agfht-table2", make_agfht_table2},
     ExperimentEntry{"agfht-sweep", make_agfht_sweep},
+    ExperimentEntry{"initiator-curves", make_initiator_curves},
+    ExperimentEntry{"initiator-times", make_initiator_times},
+    ExperimentEntry{"initiator-limits", make_initiator_limits},
     ExperimentEntry{"sonar-births", make_sonar_births},
+    ExperimentEntry{"recording-births", make_recording_births},
     ExperimentEntry{"hpmht-video", make_hpmht_video},
     ExperimentEntry{"hpmht-sonar", make_hpmht_sonar},
     ExperimentEntry{"t2gt", make_t2gt},

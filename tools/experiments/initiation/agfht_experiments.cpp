@@ -4,42 +4,18 @@
 
 #include "core/files/csv.hpp"
 #include "tools/cli/paths.hpp"
-#include "tools/experiments/initiation/initiation_run.hpp"
 #include "tools/experiments/initiation/sonar_initiation_scene.hpp"
+#include "tools/experiments/initiation/zeng_run.hpp"
 #include "tracking/initiation/initiator_birth.hpp"
-#include "tracking/initiation/methods/vct.hpp"
 
 namespace lookout::tools {
 namespace {
 
-/// One row: a method, its reading, how many of how many scans, the clutter and the detection probability.
-struct Row {
-  const char* method;
-  const char* variant = "";
-  int scans = 4;
-  int window_scans = 4;
-  int min_plots = 0;     ///< 0: the method's own.
-  double clutter = 120;  ///< Plots a scan; the sweep sets its own.
-  double detection_probability = 1.0;
-};
-
-Cell cell_of(const Row& row) {
-  Cell cell;
-  cell.method = row.method;
-  cell.parameters = {{"scans", 1.0 * row.scans},
-                     {"window_scans", 1.0 * row.window_scans},
-                     {"clutter_per_scan", row.clutter},
-                     {"detection_probability", row.detection_probability}};
-  if (row.min_plots > 0) cell.parameters.set("min_plots", 1.0 * row.min_plots);
-  if (*row.variant != '\0') cell.parameters.set("variant", row.variant);
-  return cell;
-}
-
 /// The paper's P1, P2 and P3 of a method at a clutter and a number of scans; blanks are left out. AG-FHT's
 /// own figures stand beside both readings of it.
 std::map<std::string, double> paper_figures(const std::string& file, const Cell& cell) {
-  static constexpr std::array<std::string_view, 6> kColumns{"method", "scans", "clutter_per_scan",
-                                                            "p1",     "p2",    "p3"};
+  static constexpr std::array<std::string_view, 7> kColumns{"method", "scans", "clutter_per_scan", "p1",
+                                                            "p2",     "p3",    "time_ms"};
   const core::CsvTable table(tools_directory() + "/data/" + file, kColumns);
   std::map<std::string, double> figures;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
@@ -47,50 +23,13 @@ std::map<std::string, double> paper_figures(const std::string& file, const Cell&
         table.number(row, "clutter_per_scan") != cell.parameters.number("clutter_per_scan") ||
         table.number(row, "scans") != cell.parameters.number("scans"))
       continue;
-    for (const auto figure : {"p1", "p2", "p3"}) {
+    for (const auto figure : {"p1", "p2", "p3", "time_ms"}) {
       if (!table.empty(row, figure)) figures[figure] = table.number(row, figure);
     }
   }
   return figures;
 }
 
-tracking::InitiatorConfig config_of(const Cell& cell) {
-  tracking::InitiatorConfig config;
-  config.min_speed = tracking::kZengSpeeds.min;
-  config.max_speed = tracking::kZengSpeeds.max;
-  config.acceleration_sigma = 1.0;  // [Zeng2023] section 3.1
-  config.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
-  if (cell.parameters.has("min_plots"))
-    config.min_plots = static_cast<int>(cell.parameters.number("min_plots"));
-  if (cell.parameters.has("variant")) config.variant = cell.parameters.text("variant");
-  if (cell.method == "nht_plus") config.min_plots = config.window_scans;
-  // The false tracks that VCT allows itself are those of the run, however many windows it has.
-  const int windows = static_cast<int>(cell.parameters.number("scans")) - *config.window_scans + 1;
-  if (cell.method == "vct") config.max_false_tracks = tracking::VctParams{}.max_false_tracks / windows;
-  return config;
-}
-
-/// One window, or every window in turn where the scene is longer; strict scores, and the lenient ones beside
-/// them.
-Metrics measure(const Cell& cell, std::uint64_t seed, int run) {
-  ZengSceneParams params;
-  params.num_scans = static_cast<int>(cell.parameters.number("scans"));
-  params.clutter_per_scan = cell.parameters.number("clutter_per_scan");
-  params.detection_probability = cell.parameters.number("detection_probability");
-  core::Random random(seed, core::RandomStream::experiment, static_cast<std::uint64_t>(run));
-  const InitiationScene scene = zeng_scene(params, random);
-  const auto config = config_of(cell);
-  const InitiationRun result = params.num_scans > *config.window_scans
-                                   ? run_sliding(scene, cell.method, config)
-                                   : run_initiator(scene, cell.method, config);
-  Metrics metrics = track_metrics(scene, result, *config.window_scans, TrueTrack::strict);
-  const Metrics lenient = track_metrics(scene, result, *config.window_scans, TrueTrack::lenient);
-  metrics["p2_lenient"] = lenient.at("p2");
-  if (lenient.count("p3") > 0) metrics["p3_lenient"] = lenient.at("p3");
-  return metrics;
-}
-
-constexpr std::array kClutters{30.0, 60.0, 90.0, 120.0, 240.0};  // [Zeng2023] Fig. 10 to 12.
 constexpr double kSonarFalseAlarm = 0.1, kSonarMiss = 0.3;
 
 Cell sonar_cell(const char* scenario, const char* clutter) {
@@ -124,7 +63,8 @@ class AgFhtExperiment : public Experiment {
   }
   std::string plot_script() const override { return "plot_initiators.py"; }
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
-    return cell.parameters.has("scenario") ? measure_on_sonar(cell, seed, run) : measure(cell, seed, run);
+    return cell.parameters.has("scenario") ? measure_on_sonar(cell, seed, run)
+                                           : measure_on_zeng(cell, seed, run, TrueTrack::strict);
   }
 };
 
@@ -135,28 +75,35 @@ class AgFhtTable2 : public AgFhtExperiment {
            "on the sonar's scenes";
   }
   std::vector<Cell> cells() const override {
-    static constexpr Row kRows[] = {
-        {.method = "sequence_ht"},
-        {.method = "sequence_ht", .scans = 12, .window_scans = 12, .clutter = 30},
-        {.method = "fpht", .clutter = 50},
-        {.method = "modified_logic", .variant = "polar"},
-        {.method = "modified_logic", .variant = "isotropic"},
-        {.method = "modified_ht", .scans = 3, .window_scans = 3},
-        {.method = "ag_fht", .variant = "text"},
-        {.method = "ag_fht", .variant = "unstated_knowledge"},
-        {.method = "vct", .min_plots = 4},
-        {.method = "vct", .min_plots = 4, .clutter = 240},
-        {.method = "vct", .scans = 3, .window_scans = 3, .min_plots = 3},
-        {.method = "vct", .scans = 5, .window_scans = 5, .min_plots = 4},
-        {.method = "vct", .scans = 6, .window_scans = 6, .min_plots = 5},
-        {.method = "vct", .min_plots = 4, .detection_probability = 0.9},
-        {.method = "vct", .scans = 5, .window_scans = 5, .min_plots = 4, .detection_probability = 0.9},
-        {.method = "vct", .scans = 7, .window_scans = 5, .min_plots = 4, .detection_probability = 0.9},
-        {.method = "ag_fht", .variant = "text", .detection_probability = 0.9},
-        {.method = "nht_plus"}};
+    static constexpr ZengRow kRows[] = {{"sequence_ht", "", 4, 4, 0, 120, 1.0},
+                                        {"sequence_ht", "", 12, 12, 0, 30, 1.0},
+                                        {"sequence_ht", "", 10, 10, 0, 50, 1.0},  // SHT*
+                                        {"fpht", "", 4, 4, 0, 50, 1.0},
+                                        {"modified_logic", "polar", 4, 4, 0, 120, 1.0},
+                                        {"modified_logic", "isotropic", 4, 4, 0, 120, 1.0},
+                                        {"modified_ht", "", 3, 3, 0, 120, 1.0},
+                                        {"ag_fht", "text", 4, 4, 0, 120, 1.0},
+                                        {"ag_fht", "unstated_knowledge", 4, 4, 0, 120, 1.0},
+                                        {"ag_fht", "text_outside_gates", 4, 4, 0, 120, 1.0},
+                                        {"ag_fht", "text_all_plots", 4, 4, 0, 120, 1.0},
+                                        {"modified_logic", "polar_outside_gates", 4, 4, 0, 120, 1.0},
+                                        {"modified_logic", "polar_all_plots", 4, 4, 0, 120, 1.0},
+                                        {"ag_fht", "text", 4, 4, 4, 120, 1.0},
+                                        {"modified_logic", "polar", 4, 4, 4, 120, 1.0},
+                                        {"vct", "", 4, 4, 3, 120, 1.0},
+                                        {"vct", "", 4, 4, 4, 120, 1.0},
+                                        {"vct", "", 4, 4, 4, 240, 1.0},
+                                        {"vct", "", 3, 3, 3, 120, 1.0},
+                                        {"vct", "", 5, 5, 4, 120, 1.0},
+                                        {"vct", "", 6, 6, 5, 120, 1.0},
+                                        {"vct", "", 4, 4, 4, 120, 0.9},
+                                        {"vct", "", 5, 5, 4, 120, 0.9},
+                                        {"vct", "", 7, 5, 4, 120, 0.9},
+                                        {"ag_fht", "text", 4, 4, 0, 120, 0.9},
+                                        {"nht_plus", "", 4, 4, 0, 120, 1.0}};
     std::vector<Cell> cells;
-    for (const Row& row : kRows) {
-      cells.push_back(cell_of(row));
+    for (const ZengRow& row : kRows) {
+      cells.push_back(zeng_cell(row));
       if (row.detection_probability == 1.0)
         cells.back().paper = paper_figures("zeng2023_table2.csv", cells.back());
     }
@@ -164,6 +111,20 @@ class AgFhtTable2 : public AgFhtExperiment {
       for (const char* clutter : {"literal", "light"}) cells.push_back(sonar_cell(scenario, clutter));
     }
     return cells;
+  }
+
+  /// [Zeng2023] Fig. 8, 9 and 11, of the first run: the plots, and what each method starts there.
+  void write_extras(std::uint64_t seed, const std::string& directory) const override {
+    for (const ZengRow& row :
+         {ZengRow{"ag_fht", "text", 4, 4, 0, 120, 1.0}, ZengRow{"modified_logic", "polar", 4, 4, 0, 120, 1.0},
+          ZengRow{"modified_ht", "", 3, 3, 0, 120, 1.0}, ZengRow{"vct", "", 4, 4, 4, 120, 1.0}}) {
+      const Cell cell = zeng_cell(row);
+      core::Random random(seed, core::RandomStream::experiment, 0);
+      const InitiationScene scene = zeng_scene(zeng_params(cell), random);
+      std::string path = directory;
+      path.append("/scene_radar_").append(row.method).append(".csv");
+      write_scene_picture(scene, run_initiator(scene, row.method, zeng_config(cell)), path);
+    }
   }
 };
 
@@ -173,18 +134,18 @@ class AgFhtSweep : public AgFhtExperiment {
     return "P1, P2 and P3 against the clutter, 30 to 240 plots a scan ([Zeng2023] Fig. 10 to 12)";
   }
   std::vector<Cell> cells() const override {
-    static constexpr Row kRows[] = {{.method = "ag_fht", .variant = "text"},
-                                    {.method = "ag_fht", .variant = "unstated_knowledge"},
-                                    {.method = "modified_logic", .variant = "polar"},
-                                    {.method = "modified_ht", .scans = 3, .window_scans = 3},
-                                    {.method = "sequence_ht"},
-                                    {.method = "fpht"},
-                                    {.method = "vct", .min_plots = 4}};
+    static constexpr ZengRow kRows[] = {{"ag_fht", "text", 4, 4, 0, 0, 1.0},
+                                        {"ag_fht", "unstated_knowledge", 4, 4, 0, 0, 1.0},
+                                        {"modified_logic", "polar", 4, 4, 0, 0, 1.0},
+                                        {"modified_ht", "", 3, 3, 0, 0, 1.0},
+                                        {"sequence_ht", "", 4, 4, 0, 0, 1.0},
+                                        {"fpht", "", 4, 4, 0, 0, 1.0},
+                                        {"vct", "", 4, 4, 4, 0, 1.0}};
     std::vector<Cell> cells;
-    for (Row row : kRows) {
-      for (const double clutter : kClutters) {
+    for (ZengRow row : kRows) {
+      for (const double clutter : {30.0, 60.0, 90.0, 120.0, 240.0}) {
         row.clutter = clutter;
-        cells.push_back(cell_of(row));
+        cells.push_back(zeng_cell(row));
         cells.back().paper = paper_figures("zeng2023_sweep.csv", cells.back());
       }
     }

@@ -3,6 +3,7 @@
 #include <ctime>
 #include <stdexcept>
 
+#include "core/files/csv.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 #include "tracking/initiation/sliding_initiator.hpp"
 
@@ -49,6 +50,11 @@ InitiationRun run_initiator(const InitiationScene& scene, const std::string& nam
   return run;
 }
 
+bool is_refused(const InitiationScene& scene, const std::string& name,
+                const tracking::InitiatorConfig& config) {
+  return !tracking::make_initiator(name, config)->start(scene.window()).refusal.empty();
+}
+
 InitiationRun run_sliding(const InitiationScene& scene, const std::string& name,
                           const tracking::InitiatorConfig& config, int follow_misses) {
   tracking::SlidingParams params;
@@ -68,6 +74,31 @@ InitiationRun run_sliding(const InitiationScene& scene, const std::string& name,
   }
   run.time_ms = (thread_milliseconds() - start) / static_cast<double>(scene.scans.size());
   return run;
+}
+
+void write_scene_picture(const InitiationScene& scene, const InitiationRun& run, const std::string& path) {
+  core::CsvWriter csv(path, "kind,id,time_s,x_m,y_m");
+  const auto write = [&](const char* kind, std::int64_t id, const tracking::Plot& plot, double time) {
+    csv.text(kind).integer(id).number(time).number(plot.position.x()).number(plot.position.y()).end_row();
+  };
+  std::vector<std::pair<const tracking::Plot*, double>> plots(scene.target_of.size());
+  for (std::size_t k = 0; k < scene.scans.size(); ++k) {
+    for (const auto& plot : scene.scans[k]) {
+      const auto source = static_cast<std::size_t>(plot.source);
+      plots[source] = {&plot, scene.times[k]};
+      write(scene.target_of[source] < 0 ? "clutter" : "target", scene.target_of[source] + 1, plot,
+            scene.times[k]);
+    }
+  }
+  std::int64_t id = 0;
+  for (const TrackSources& track : run.tracks) {
+    ++id;
+    for (const int source : track) {
+      const auto& [plot, time] = plots[static_cast<std::size_t>(source)];
+      write("track", id, *plot, time);
+    }
+  }
+  csv.close();
 }
 
 Metrics track_metrics(const InitiationScene& scene, const InitiationRun& run, int window_scans,

@@ -25,11 +25,20 @@ struct InitiationRun {
 InitiationRun run_initiator(const InitiationScene& scene, const std::string& name,
                             const tracking::InitiatorConfig& config);
 
+/// Whether the method refuses the scene for the work that it would be.
+bool is_refused(const InitiationScene& scene, const std::string& name,
+                const tracking::InitiatorConfig& config);
+
 /// The same through every window of `window_scans` scans in turn, each plot in one track only.
 /// @param follow_misses scans without a plot that a started track survives; it claims its plots meanwhile.
 InitiationRun run_sliding(const InitiationScene& scene, const std::string& name,
                           const tracking::InitiatorConfig& config,
                           int follow_misses = tracking::SlidingParams{}.follow_misses);
+
+/// The scene and what was started in it, for plot_initiators.py: one row a plot and one a plot of each
+/// started track, `kind,id,time_s,x_m,y_m`, where kind is clutter, target (id from 1) or track (id from 1,
+/// plots in order).
+void write_scene_picture(const InitiationScene& scene, const InitiationRun& run, const std::string& path);
 
 /// found (by track), false_per_run, p1, p2, p3 and time_ms; p3 weighted by the declared tracks, which pools
 /// it as the paper does.

@@ -46,6 +46,41 @@ void add_clutter(InitiationScene& scene, const Box& box, double mean, const Nois
   }
 }
 
+/// The same number in the mean, in clusters.
+template <typename NoiseAt>
+void add_clustered_clutter(InitiationScene& scene, const Box& box, double mean, const NoiseAt& noise_at,
+                           core::Random& random) {
+  constexpr int kPlots = 5;          // Of a cluster.
+  constexpr double kSigma = 1000.0;  // Of its plots along each axis [m].
+  for (int left = random.poisson(mean / kPlots); left > 0; --left) {
+    const Eigen::Vector2d centre(random.uniform(box.low.x(), box.high.x()),
+                                 random.uniform(box.low.y(), box.high.y()));
+    for (int k = 0; k < kPlots; ++k) {
+      const double x = centre.x() + random.gaussian(kSigma);
+      const double y = centre.y() + random.gaussian(kSigma);
+      add_plot(scene, {x, y}, noise_at(Eigen::Vector2d(x, y)), -1);
+    }
+  }
+}
+
+/// A target moved on by a step of its own motion, without noise: on a turn, or faster.
+void steer(Target& target, double seconds, double turn_rate, double acceleration) {
+  const Eigen::Vector2d velocity = target.velocity;
+  if (turn_rate != 0.0) {
+    Eigen::Matrix2d quarter;
+    quarter << 0.0, -1.0, 1.0, 0.0;
+    const double angle = turn_rate * seconds;
+    target.position +=
+        (std::sin(angle) * velocity + (1.0 - std::cos(angle)) * (quarter * velocity)) / turn_rate -
+        seconds * velocity;
+    target.velocity = std::cos(angle) * velocity + std::sin(angle) * (quarter * velocity);
+  }
+  if (acceleration == 0.0) return;
+  const Eigen::Vector2d gained = seconds * acceleration * target.velocity.normalized();
+  target.position += 0.5 * seconds * gained;
+  target.velocity += gained;
+}
+
 /// The mean of the true positions and the direction from the first to the last.
 void describe_course(InitiationScene& scene, const std::vector<Points>& courses) {
   scene.num_targets = static_cast<int>(courses.size());
@@ -103,7 +138,8 @@ InitiationScene fan_scene(const FanSceneParams& params, core::Random& random) {
     for (std::size_t i = 0; i < targets.size(); ++i) {
       courses[i].push_back(targets[i].position);
       const Eigen::Vector2d error(random.gaussian(1.0), random.gaussian(1.0));
-      add_plot(scene, targets[i].position + sigma * error, stated, static_cast<int>(i));
+      if (params.detection_probability == 1.0 || random.uniform(0.0, 1.0) < params.detection_probability)
+        add_plot(scene, targets[i].position + sigma * error, stated, static_cast<int>(i));
       // Eq. (33) as printed, input [T/2; 1]: the noise is a change of velocity.
       const Eigen::Vector2d change = push * Eigen::Vector2d(random.gaussian(1.0), random.gaussian(1.0));
       targets[i].position += kPeriod * targets[i].velocity + 0.5 * kPeriod * change;
@@ -148,7 +184,8 @@ InitiationScene zeng_scene(const ZengSceneParams& params, core::Random& random) 
   for (std::size_t i = 0; i < targets.size(); ++i)
     targets[i] = {1e3 * Eigen::Vector2d(kilometres[i][0], kilometres[i][1]), {500.0, 0.0}};
   const auto noise_at = [&](const Eigen::Vector2d& p) {
-    return tracking::polar_noise(p, params.range_sigma, params.azimuth_sigma);
+    return tracking::polar_noise(p, params.told_noise * params.range_sigma,
+                                 params.told_noise * params.azimuth_sigma);
   };
   InitiationScene scene;
   std::vector<Points> courses(targets.size());
@@ -166,10 +203,16 @@ InitiationScene zeng_scene(const ZengSceneParams& params, core::Random& random) 
         add_plot(scene, measured, noise_at(measured), static_cast<int>(i));
       const Eigen::Vector2d push(random.gaussian(acceleration_sigma.x()),
                                  random.gaussian(acceleration_sigma.y()));
-      target.position += kPeriod * target.velocity + 0.5 * kPeriod * kPeriod * push;
+      const Eigen::Vector2d way = kPeriod * target.velocity + 0.5 * kPeriod * kPeriod * push;
+      steer(target, kPeriod, i % 2 == 0 ? params.turn_rate : -params.turn_rate, params.acceleration);
+      target.position += way;
       target.velocity += kPeriod * push;
     }
-    add_clutter(scene, {{0.0, 0.0}, {100e3, 100e3}}, params.clutter_per_scan, noise_at, random);
+    const Box square{{0.0, 0.0}, {100e3, 100e3}};
+    if (params.clustered)
+      add_clustered_clutter(scene, square, params.clutter_per_scan, noise_at, random);
+    else
+      add_clutter(scene, square, params.clutter_per_scan, noise_at, random);
   }
   describe_course(scene, courses);
   return scene;

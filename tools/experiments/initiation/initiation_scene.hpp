@@ -31,6 +31,7 @@ struct FanSceneParams {
   double clutter_per_scan = 10.0;    ///< Mean of a Poisson number in x 0..4000, y 0..1600 m.
   bool printed_signs =
       false;  ///< Target 2 with vy = -100 as printed: it then crosses nothing (docs/initiators.md).
+  double detection_probability = 1.0;  ///< Of a target in a scan, in (0, 1]; .99 in section V.A.
 };
 /// Standard deviation of a plot along each axis that these params simulate [m]; the figure a sensor would
 /// state.
@@ -50,6 +51,13 @@ struct ZengSceneParams {
   double detection_probability = 1.0;
   double range_sigma = 10.0;                              ///< [m].
   double azimuth_sigma = 0.3 * 3.14159265358979 / 180.0;  ///< [rad].
+  /// Beyond the paper: a steady turn [rad/s], of every other target to the other hand; a steady acceleration
+  /// along the course [m/s^2]; what the method is told of the errors, as a multiple of what they are; and
+  /// clutter in clusters of five, two kilometres wide, as many plots in the mean.
+  double turn_rate = 0.0;
+  double acceleration = 0.0;
+  double told_noise = 1.0;
+  bool clustered = false;
 };
 InitiationScene zeng_scene(const ZengSceneParams& params, core::Random& random);
 

@@ -10,7 +10,11 @@
 namespace lookout::tools {
 namespace {
 
-constexpr int kWindowScans = 7;  // [Fan2018] section V
+constexpr int kWindowScans = 7;             // [Fan2018] section V
+constexpr double kPrintedDetection = 0.99;  // [Fan2018] section V.A
+/// [Fan2018] section V.B: 10 per km^2 over the 25 x 18 km of `real_scene`.
+constexpr double kPrintedRealClutter = 4500.0;
+constexpr int kPrintedRealRuns = 5;  // Seconds a run; what is refused is so in each.
 constexpr double kRealPositionSigma =
     60.0;  // docs/initiators.md: from the residuals of Table 3 to constant velocity, 24-75 m.
 
@@ -80,13 +84,26 @@ Metrics measure(const Cell& cell, const InitiationScene& scene, const tracking::
   return metrics;
 }
 
+std::string name_of_picture(const std::string& file, const Contender& contender) {
+  std::string name = file;
+  name.append("_").append(contender.method);
+  if (*contender.variant != '\0') name.append("_").append(contender.variant);
+  return name.append(".csv");
+}
+
 /// The accumulator of a Hough method on a scene, as FILE_METHOD.csv for plot_initiators.py.
 void write_accumulator(const Contender& contender, const InitiationScene& scene,
                        const tracking::InitiatorConfig& config, const std::string& file) {
   const InitiationRun run = run_initiator(scene, contender.method, config);
-  write_accumulator_picture(
-      dynamic_cast<const tracking::HoughInitiator&>(*run.method), scene,
-      file + "_" + contender.method + (*contender.variant != '\0' ? "_" : "") + contender.variant + ".csv");
+  write_accumulator_picture(dynamic_cast<const tracking::HoughInitiator&>(*run.method), scene,
+                            name_of_picture(file, contender));
+}
+
+/// The plots of a scene and what a method starts there, as FILE_METHOD.csv.
+void write_scene(const Contender& contender, const InitiationScene& scene,
+                 const tracking::InitiatorConfig& config, const std::string& file) {
+  write_scene_picture(scene, run_initiator(scene, contender.method, config),
+                      name_of_picture(file, contender));
 }
 
 class NhtSimulated : public Experiment {
@@ -130,6 +147,15 @@ std::vector<Cell> NhtSimulated::cells() const {
         cells.push_back(cell_of(contender, "IV", noise, clutter));
     }
   }
+  // Section V.A to the letter: P_D = .99, and target 2 as Table 1 prints it, which then crosses nothing.
+  for (const Contender& contender : kContenders) {
+    for (const char* situation : {"I", "II", "III", "IV"}) {
+      cells.push_back(cell_of(contender, situation, "consistent", 10));
+      cells.back().parameters.set("detection_probability", kPrintedDetection);
+    }
+    cells.push_back(cell_of(contender, "IV", "consistent", 10));
+    cells.back().parameters.set("signs", "printed");
+  }
   return cells;
 }
 
@@ -138,6 +164,9 @@ FanSceneParams NhtSimulated::scene_of(const Cell& cell) {
   params.situation = cell.parameters.text("situation");
   params.noise = cell.parameters.text("noise");
   params.clutter_per_scan = cell.parameters.number("clutter_per_scan");
+  params.printed_signs = cell.parameters.has("signs");
+  if (cell.parameters.has("detection_probability"))
+    params.detection_probability = cell.parameters.number("detection_probability");
   return params;
 }
 
@@ -149,14 +178,17 @@ Metrics NhtSimulated::run(const Cell& cell, std::uint64_t seed, int run) const {
                  kSimulatedReach);
 }
 
-/// The accumulators of the first run of Situations I to IV, for pictures like the paper's Fig. 3 to 10.
+/// The scenes and accumulators of the first run of Situations I to IV, for pictures like the paper's Fig. 3
+/// to 10.
 void NhtSimulated::write_extras(const Drawn& drawn) const {
   for (const char* situation : {"I", "II", "III", "IV"}) {
     for (const Contender& contender : kContenders) {
-      if (contender.ideal == 0.0 || drawn.of_method(contender.method).empty()) continue;
+      if (drawn.of_method(contender.method).empty()) continue;
       const Cell cell = cell_of(contender, situation, "consistent", kWholeClutter);
       core::Random random(drawn.seed, core::RandomStream::experiment, 0);
       const InitiationScene scene = fan_scene(scene_of(cell), random);
+      write_scene(contender, scene, config_of(cell, 1.0, 0.0), drawn.directory + "/scene_" + situation);
+      if (contender.ideal == 0.0) continue;
       write_accumulator(contender, scene, config_of(cell, 1.0, 0.0),
                         drawn.directory + "/accumulator_" + situation);
     }
@@ -196,27 +228,32 @@ std::vector<Cell> NhtReal::cells() const {
   for (const Contender& contender : kContenders) {
     for (const double clutter : {0.0, kPicturedClutter, 50.0, 100.0})
       cells.push_back(cell_of(contender, clutter));
+    cells.push_back(cell_of(contender, kPrintedRealClutter));
+    cells.back().max_runs = kPrintedRealRuns;
   }
   return cells;
 }
 
-/// The accumulators of the first run, for pictures like the paper's Fig. 14 and 15.
+/// The scene and the accumulators of the first run, for pictures like the paper's Fig. 12 to 15.
 void NhtReal::write_extras(const Drawn& drawn) const {
   for (const Contender& contender : kContenders) {
-    if (contender.ideal == 0.0 || drawn.of_method(contender.method).empty()) continue;
+    if (drawn.of_method(contender.method).empty()) continue;
     core::Random random(drawn.seed, core::RandomStream::experiment, 0);
     const InitiationScene scene = real_scene(kPicturedClutter, kRealPositionSigma, random);
-    write_accumulator(contender, scene,
-                      config_of(cell_of(contender, kPicturedClutter), kRealPositionSigma, 0.0),
-                      drawn.directory + "/accumulator_real");
+    const auto config = config_of(cell_of(contender, kPicturedClutter), kRealPositionSigma, 0.0);
+    write_scene(contender, scene, config, drawn.directory + "/scene_real");
+    if (contender.ideal > 0.0)
+      write_accumulator(contender, scene, config, drawn.directory + "/accumulator_real");
   }
 }
 
 Metrics NhtReal::run(const Cell& cell, std::uint64_t seed, int run) const {
   core::Random random(seed, core::RandomStream::experiment, static_cast<std::uint64_t>(run));
-  const InitiationScene scene =
-      real_scene(cell.parameters.number("clutter_per_scan"), kRealPositionSigma, random);
-  return measure(cell, scene, config_of(cell, kRealPositionSigma, 0.0), kRealReach);
+  const double clutter = cell.parameters.number("clutter_per_scan");
+  const InitiationScene scene = real_scene(clutter, kRealPositionSigma, random);
+  const auto config = config_of(cell, kRealPositionSigma, 0.0);
+  if (clutter == kPrintedRealClutter && is_refused(scene, cell.method, config)) return {{"refused", 1.0}};
+  return measure(cell, scene, config, kRealReach);
 }
 
 }  // namespace

@@ -40,8 +40,7 @@ core::SonarParams radar() {
   return load_configuration(options).sensor;
 }
 
-const Scenario& scenario_of(const Cell& cell) {
-  const double number = cell.parameters.number("scenario");
+const Scenario& scenario_of(int number) {
   return *std::find_if(kScenarios.begin(), kScenarios.end(),
                        [&](const Scenario& scenario) { return scenario.number == number; });
 }
@@ -100,11 +99,7 @@ class Recordings : public Experiment {
   }
   std::string scenario() const override { return "$LOOKOUT_DATA/autoferry/scenario{2,13,16,17}"; }
 
-  std::string missing_input() const override {
-    if (std::filesystem::is_directory(data_directory())) return {};
-    return "the environment variable LOOKOUT_DATA names no folder that holds autoferry/ (see "
-           "lookout import autoferry)";
-  }
+  std::string missing_input() const override { return missing_radar_recordings(); }
 
   std::vector<Cell> cells() const override {
     std::vector<Cell> cells;
@@ -121,16 +116,12 @@ class Recordings : public Experiment {
   }
 
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
-    const Scenario& scenario = scenario_of(cell);
-    const auto recording =
-        core::read_recording(data_directory() + "/scenario" + std::to_string(scenario.number), radar());
-    auto scans = timed_scans(recording);
-    const auto sonar = recording.params.value_or(radar());
-    const auto pipeline = pipeline_of(cell.method, sonar, run_seed(seed, run));
-    const TrackingOutput output = track(*pipeline, scans);
-    mark_in_sight(scans);
-    tracking::TrackQuality quality({.gate = scenario.gate});
-    for (std::size_t k = 0; k < scans.size(); ++k) quality.add(scans[k].truth, output.tracks[k]);
+    const auto recording = load_radar_recording(static_cast<int>(cell.parameters.number("scenario")));
+    const auto pipeline = pipeline_of(cell.method, recording.sonar, run_seed(seed, run));
+    const TrackingOutput output = track(*pipeline, recording.scans);
+    tracking::TrackQuality quality({.gate = recording.gate});
+    for (std::size_t k = 0; k < recording.scans.size(); ++k)
+      quality.add(recording.scans[k].truth, output.tracks[k]);
     Metrics metrics = metrics_of(quality.result());
     metrics["time_ms"] = output.time_ms;
     return metrics;
@@ -142,6 +133,27 @@ class Recordings : public Experiment {
 };
 
 }  // namespace
+
+std::string missing_radar_recordings() {
+  if (std::filesystem::is_directory(data_directory())) return {};
+  return "the environment variable LOOKOUT_DATA names no folder that holds autoferry/ (see "
+         "lookout import autoferry)";
+}
+
+std::vector<int> radar_scenarios() {
+  std::vector<int> numbers;
+  for (const auto& scenario : kScenarios) numbers.push_back(scenario.number);
+  return numbers;
+}
+
+RadarRecording load_radar_recording(int scenario) {
+  const auto recording =
+      core::read_recording(data_directory() + "/scenario" + std::to_string(scenario), radar());
+  RadarRecording result{timed_scans(recording), recording.params.value_or(radar()),
+                        scenario_of(scenario).gate};
+  mark_in_sight(result.scans);
+  return result;
+}
 
 void mark_in_sight(std::vector<TimedScan>& scans, const InSightParams& params) {
   std::map<std::int32_t, std::pair<std::size_t, std::size_t>> in_sight;
