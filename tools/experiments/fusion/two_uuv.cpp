@@ -244,7 +244,7 @@ class TwoUuv final : public Experiment {
       params.acoustic = {turn, cell.parameters.number("loss"), kAcousticDelay};
       params.fusion.store.min_estimates = 1;
       params.fusion.global.birth_estimates = 1;
-      params.fusion.store.max_age = kTurnsOfAge * turn;
+      params.fusion.store.max_age = params.fusion.store.max_silence = kTurnsOfAge * turn;
       params.fusion.store.forget_after = params.fusion.store.max_age;
       params.fusion.clock.max_interval = kTurnsOfAge * turn;
     }
