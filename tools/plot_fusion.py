@@ -77,7 +77,7 @@ def draw_scene(rows, path):
     """Figures 2 and 3 of the paper side by side."""
     figure, axes = plt.subplots(1, 2, figsize=(12, 5.5), sharex=True, sharey=True)
     for axis, kind, style, label in zip(axes, ("local", "fused"), ("x", "o"), ("radars' estimates", "printed sdf")):
-        for name, marker, text in (("truth", "k-", "targets"), (kind, style, label)):
+        for name, marker, text in (("truth", "-", "targets"), (kind, style, label)):
             tracks = collections.defaultdict(list)
             for row in rows:
                 if row["kind"] == name:
