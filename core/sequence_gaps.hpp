@@ -42,7 +42,7 @@ class SequenceGaps {
   Step surprise(std::int64_t last, std::int64_t sequence);
   std::int64_t refused_between(std::int64_t before, std::int64_t after) const;
 
-  static constexpr std::size_t kRemembered = 16;  ///< Refused numbers that a gap is compared with.
+  static constexpr std::size_t kRemembered = 256;  ///< Refused numbers that a gap is compared with.
   std::optional<std::int64_t> last_;
   std::optional<Before> before_;
   Counts counts_;

@@ -35,13 +35,6 @@ constexpr std::string_view kMulticast = "udpm://";
 /// LCM's own, where nothing is said. ttl=0 keeps messages on this computer.
 constexpr const char* kDefaultUrl = "udpm://239.255.76.67:7667?ttl=0";
 
-/// The URL that LCM would take for `url`.
-std::string resolved(const std::string& url) {
-  if (!url.empty()) return url;
-  const char* environment = std::getenv("LCM_DEFAULT_URL");
-  return environment != nullptr && *environment != '\0' ? environment : kDefaultUrl;
-}
-
 std::string cannot_open(const std::string& url) {
   return "LCM cannot open `" + url +
          "`; udpm needs a multicast route (ip link set lo up; ip route add 224.0.0.0/4 dev lo), file an "
@@ -81,18 +74,42 @@ std::string literal(const std::string& channel) {
   return pattern;
 }
 
-// The Inbox catches everything, so nothing can be thrown through the C library.
-void take(const lcm::ReceiveBuffer* received, const std::string& channel, Inbox* inbox) {
-  inbox->take(channel, received->data, received->data_size);
+/// How long a message has waited for us. LCM stamps it on the wall clock, which may be set meanwhile: what is
+/// no waiting time counts as none.
+std::chrono::microseconds waited(const lcm::ReceiveBuffer& received) {
+  using namespace std::chrono;
+  constexpr microseconds kLongest = minutes(1);
+  const auto now = duration_cast<microseconds>(system_clock::now().time_since_epoch());
+  const microseconds waited = now - microseconds(received.recv_utime);
+  return waited > microseconds::zero() && waited < kLongest ? waited : microseconds::zero();
 }
 
 }  // namespace
+
+std::string Bus::resolved(const std::string& url) {
+  if (!url.empty()) return url;
+  const char* environment = std::getenv("LCM_DEFAULT_URL");
+  return environment != nullptr && *environment != '\0' ? environment : kDefaultUrl;
+}
 
 Bus::Bus(const std::string& url) : url_(with_receive_buffer(resolved(url), largest_receive_buffer())) {
   require_known_transport(url_);
   if (is_multicast() && !has_route(url_)) throw BusError(cannot_open(url_));
   lcm_ = std::make_unique<lcm::LCM>(url_);
   if (!lcm_->good()) throw BusError(cannot_open(url_));
+}
+
+// The Inbox catches everything, so nothing can be thrown through the C library.
+void Bus::on_message(const lcm::ReceiveBuffer* received, const std::string& channel, Bus* bus) {
+  bus->arrival_ = std::chrono::steady_clock::now();
+  if (bus->is_live()) bus->arrival_ -= waited(*received);
+  bus->is_aside_ =
+      std::find(bus->overheard_.begin(), bus->overheard_.end(), channel) != bus->overheard_.end();
+  bus->inbox_.take(channel, received->data, received->data_size);
+}
+
+bool Bus::is_live() const {
+  return is_multicast() || url_.starts_with("tcpq://");
 }
 
 bool Bus::is_multicast() const {
@@ -109,13 +126,27 @@ void Bus::subscribe_bytes(const std::string& channel,
   listen(channel, channel.ends_with(Channels().sonar_image()) ? kImageQueueCapacity : kQueueCapacity);
 }
 
+void Bus::overhear(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler) {
+  inbox_.overhear(channel, std::move(handler));
+  if (is_listened(channel)) return;
+  listen(channel, kQueueCapacity);
+  overheard_.push_back(channel);
+}
+
+bool Bus::is_listened(const std::string& channel) const {
+  return std::any_of(listened_.begin(), listened_.end(),
+                     [&](const Listened& listened) { return listened.channel == channel; });
+}
+
 void Bus::listen(const std::string& channel, int queue_capacity) {
+  std::erase(overheard_, channel);
+  if (is_listened(channel)) return;
   subscribe_at(*lcm_, {channel, queue_capacity});
   listened_.push_back({channel, queue_capacity});
 }
 
 void Bus::subscribe_at(lcm::LCM& lcm, const Listened& listened) {
-  lcm::Subscription* subscription = lcm.subscribeFunction(literal(listened.channel), &take, &inbox_);
+  lcm::Subscription* subscription = lcm.subscribeFunction(literal(listened.channel), &on_message, this);
   if (subscription == nullptr) throw BusError("LCM refuses to subscribe to " + listened.channel);
   subscription->setQueueCapacity(listened.queue_capacity);
 }
@@ -140,6 +171,11 @@ bool Bus::reopen() {
   return true;
 }
 
+void Bus::publish_bytes(const std::string& channel, std::span<const std::uint8_t> bytes) {
+  buffer_.assign(bytes.begin(), bytes.end());
+  send(channel);
+}
+
 void Bus::send(const std::string& channel) {
   errno = 0;
   if (lcm_->publish(channel, buffer_.data(), static_cast<unsigned>(buffer_.size())) == 0) return;
@@ -152,7 +188,8 @@ Bus::Heard Bus::handle_for(std::chrono::milliseconds timeout) {
   pollfd waiting{lcm_->getFileno(), POLLIN, 0};
   if (waiting.fd < 0) return close();
   if (poll(&waiting, 1, static_cast<int>(timeout.count())) <= 0) return Heard::nothing;
-  return lcm_->handle() == 0 ? Heard::message : close();
+  if (lcm_->handle() != 0) return close();
+  return is_aside_ ? Heard::aside : Heard::message;
 }
 
 Bus::Heard Bus::close() {
@@ -166,7 +203,7 @@ Bus::Heard Bus::drain() {
     const Heard heard = handle_for(std::chrono::milliseconds(0));
     if (heard == Heard::closed) return heard;
     if (heard == Heard::nothing) break;
-    result = heard;
+    if (heard == Heard::message) result = heard;
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <lcm/lcm-cpp.hpp>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ class Bus {
   /// How waiting for a message ended.
   enum class Heard {
     message,  ///< At least one message was handled.
+    aside,    ///< A message was handled that is only overheard.
     nothing,  ///< The time ran out, or a signal came.
     closed    ///< The transport is at its end: a file read through, or a server gone.
   };
@@ -48,6 +50,11 @@ class Bus {
   void subscribe_bytes(const std::string& channel,
                        std::function<void(std::span<const std::uint8_t>)> handler);
 
+  /// The same for a channel on which others talk about themselves: what comes on it is no input, so that a
+  /// link on which nothing else comes is silent. May be a channel that is heard already.
+  /// @throws BusError where LCM refuses.
+  void overhear(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler);
+
   /// @throws std::length_error above largest_bytes<Wire>(). A failure to send is counted.
   template <class Wire>
   void publish(const std::string& channel, const Wire& wire) {
@@ -66,6 +73,8 @@ class Bus {
   static constexpr std::size_t largest_bytes() {
     return std::is_same_v<Wire, sonar_image_t> ? kLargestImage : kLargestMessage;
   }
+  /// Sends bytes as they are, of any length. A failure to send is counted.
+  void publish_bytes(const std::string& channel, std::span<const std::uint8_t> bytes);
 
   Heard handle_for(std::chrono::milliseconds timeout);  ///< Waits for a message and handles it.
   Heard drain();  ///< Handles what has arrived; never waits. Stops after kQueueCapacity messages.
@@ -82,12 +91,18 @@ class Bus {
   /// multicast alone; what has arrived is handled first. Returns false, and stays as it was, where that is
   /// not possible now.
   bool reopen();
+  /// When the message that is handled now arrived at this computer, on the monotonic clock: before it waited
+  /// for us. Of a file, now.
+  std::chrono::steady_clock::time_point arrival() const { return arrival_; }
+  bool is_live() const;       ///< Whether messages come whether we take them or not.
   bool is_multicast() const;  ///< Whether the transport is UDP multicast.
   /// Whether the transport has closed because its server is gone: a failure, unlike a file that is read
   /// through.
   bool lost_server() const { return lost_server_; }
   /// Whether what cannot be opened now may be later, when the network is up: UDP multicast.
   static bool may_come_up(const std::string& url);
+  /// The URL that is taken for `url`: where it is empty that of LCM_DEFAULT_URL, else LCM's own.
+  static std::string resolved(const std::string& url);
 
  private:
   /// One channel that is listened to.
@@ -95,6 +110,8 @@ class Bus {
     std::string channel;
     int queue_capacity;
   };
+  static void on_message(const lcm::ReceiveBuffer* received, const std::string& channel, Bus* bus);
+  bool is_listened(const std::string& channel) const;
   void listen(const std::string& channel, int queue_capacity);
   void subscribe_at(lcm::LCM& lcm, const Listened& listened);
   void send(const std::string& channel);
@@ -104,6 +121,9 @@ class Bus {
   std::vector<Listened> listened_;
   std::unique_ptr<lcm::LCM> lcm_;
   Inbox inbox_;
+  std::vector<std::string> overheard_;  ///< Channels.
+  std::chrono::steady_clock::time_point arrival_;
+  bool is_aside_ = false;  ///< The message that was handled last was only overheard.
   std::vector<std::uint8_t> buffer_;
   std::int64_t send_errors_ = 0;
   std::int64_t dropped_before_ = 0;  ///< Datagrams, by sockets that were closed since.

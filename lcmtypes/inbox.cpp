@@ -16,8 +16,13 @@ void Inbox::Entry::count_gap(std::int32_t source, std::int64_t sequence) {
 
 void Inbox::add(const std::string& channel,
                 std::function<std::string_view(const void*, std::size_t, Entry&)> take) {
-  if (!entries_.try_emplace(channel, Entry{std::move(take)}).second)
-    throw std::invalid_argument("channel " + channel + " has a handler already");
+  Entry& entry = entries_[channel];
+  if (entry.take) throw std::invalid_argument("channel " + channel + " has a handler already");
+  entry.take = std::move(take);
+}
+
+void Inbox::overhear(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler) {
+  entries_[channel].overhear = std::move(handler);
 }
 
 void Inbox::on_bytes(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler) {
@@ -33,7 +38,7 @@ void Inbox::take(const std::string& channel, const void* data, std::size_t size)
   Entry& entry = found->second;
   ++entry.counts.received;
   try {
-    const std::string_view refusal = entry.take(data, size, entry);
+    const std::string_view refusal = hand_over(entry, data, size);
     if (refusal.empty()) return;
     ++entry.refusals[refusal];
     note(channel, refusal);
@@ -44,6 +49,11 @@ void Inbox::take(const std::string& channel, const void* data, std::size_t size)
     ++entry.counts.handler_errors;
     note(channel, "unknown exception");
   }
+}
+
+std::string_view Inbox::hand_over(Entry& entry, const void* data, std::size_t size) {
+  if (entry.overhear) entry.overhear({static_cast<const std::uint8_t*>(data), size});
+  return entry.take ? entry.take(data, size, entry) : std::string_view();
 }
 
 void Inbox::note(const std::string& channel, std::string_view what) noexcept {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -79,6 +80,9 @@ class Inbox {
   /// Calls `handler(bytes)` with each message of `channel` as it came, for what is not to be decoded.
   void on_bytes(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler);
 
+  /// Calls `handler(bytes)` too, whether the channel has a handler or not.
+  void overhear(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler);
+
   /// Hands one message over. Messages of channels without a handler are passed by.
   void take(const std::string& channel, const void* data, std::size_t size) noexcept;
 
@@ -89,15 +93,17 @@ class Inbox {
 
  private:
   struct Entry {
-    std::function<std::string_view(const void*, std::size_t, Entry&)> take;
+    std::function<std::string_view(const void*, std::size_t, Entry&)> take = {};
     ChannelCounts counts = {};
     std::map<std::int32_t, core::SequenceGaps> gaps = {};
+    std::function<void(std::span<const std::uint8_t>)> overhear = {};
     std::map<std::string_view, std::int64_t> refusals = {};  ///< By reason, which is a literal.
 
     void count_gap(std::int32_t source, std::int64_t sequence);
   };
   void add(const std::string& channel,
            std::function<std::string_view(const void*, std::size_t, Entry&)> take);
+  static std::string_view hand_over(Entry& entry, const void* data, std::size_t size);
   void note(const std::string& channel, std::string_view what) noexcept;
 
   std::map<std::string, Entry> entries_;

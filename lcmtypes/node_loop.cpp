@@ -13,6 +13,9 @@ using std::chrono::seconds;
 /// Longest wait in one go, so that a signal is seen soon.
 constexpr milliseconds kLongestWait{50};
 
+/// Messages that are taken in before there is work again: a flood must not stop it.
+constexpr int kMostAtOnce = 256;
+
 void require_positive(const std::optional<double>& limit, const char* name) {
   if (limit && !(*limit > 0.0))
     throw std::invalid_argument(std::string(name) + " must be > 0, got " + std::to_string(*limit));
@@ -68,7 +71,16 @@ void NodeLoop::handle_for(Clock::duration longest) {
     limits_.alive();
     look_after_link();
   }
-  const auto heard = bus_.handle_for(std::chrono::ceil<milliseconds>(longest));
+  const auto heard = bus_.handle_for(busy_ ? milliseconds(0) : std::chrono::ceil<milliseconds>(longest));
+  note(heard);
+  // What has arrived is taken in first, so that what is too old can be told from what is new.
+  busy_ = heard == Bus::Heard::message;
+  if (busy_ && ++handled_ < kMostAtOnce) return;
+  handled_ = 0;
+  busy_ = work_();
+}
+
+void NodeLoop::note(Bus::Heard heard) {
   if (heard == Bus::Heard::message) note_message();
   if (heard == Bus::Heard::closed) closed_ = true;
 }

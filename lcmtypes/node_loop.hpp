@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "lcmtypes/bus.hpp"
 
@@ -15,6 +16,8 @@ struct LoopLimits {
   std::optional<double> idle_exit = std::nullopt;        ///< After so long without a message [s].
   std::function<bool()> stopped = [] { return false; };  ///< Asked several times a second: a signal came.
   std::function<void()> alive = [] {};  ///< Called once a second while the loop turns, for a watchdog.
+  /// Takes the state of a node that judges its own, once a second.
+  std::function<void(const std::string&)> tell_state = [](const std::string&) {};
   /// Takes a line for a person: that the link is silent, is back, or refuses to send.
   std::function<void(const std::string&)> tell = [](const std::string&) {};
 };
@@ -29,6 +32,10 @@ class NodeLoop {
   /// @param every_second called once a second of wall time, from within `run` and `wait_until`.
   /// @throws std::invalid_argument on a limit that is not above 0.
   NodeLoop(Bus& bus, LoopLimits limits, std::function<void()> every_second);
+
+  /// What is to be done between messages: called when none waits, or many were handled. Returns whether there
+  /// is more to do at once.
+  void work_by(std::function<bool()> work) { work_ = std::move(work); }
 
   /// Handles messages until a limit is reached or the transport closes.
   void run();
@@ -50,10 +57,14 @@ class NodeLoop {
   void tell_dropped_datagrams();
   void reopen();
   void note_message();
+  void note(Bus::Heard heard);
 
   Bus& bus_;
   LoopLimits limits_;
   std::function<void()> every_second_;
+  std::function<bool()> work_ = [] { return false; };
+  bool busy_ = false;  // There is work, so that no message is waited for.
+  int handled_ = 0;    // Messages since the last work.
   Clock::time_point start_;
   Clock::time_point last_message_;
   Clock::time_point next_second_;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -29,6 +31,9 @@ class StatusBoard {
   void add_latency(double milliseconds) { latencies_.add(milliseconds); }
   /// Percentile of the newest latencies [ms]; share in [0, 1].
   double latency(double share) const { return latencies_.percentile(share); }
+  /// Whether these bytes are one of the newest messages that were sent here, and come back for the first
+  /// time: a link brings each of our own back once. What comes again, word by word, is a twin's.
+  bool take_own(std::span<const std::uint8_t> bytes);
   /// Sends the figures with the latencies; `last_error` is for people's eyes.
   void publish(const NodeFigures& figures, const std::string& last_error);
 
@@ -37,6 +42,9 @@ class StatusBoard {
   std::string channel_, node_;
   std::int32_t node_id_;
   LatencyWindow latencies_;
+  static constexpr std::size_t kRemembered = 16;                ///< Messages.
+  std::array<std::optional<std::size_t>, kRemembered> sent_{};  ///< Hashes of those not back yet, a ring.
+  std::size_t num_sent_ = 0;
 };
 
 /// The node_id of a status message, bytes 16 to 19, read without decoding the rest, whose strings are not to

@@ -9,9 +9,12 @@
 #include <vector>
 
 #include "core/sonar_params.hpp"
+#include "core/tracking_memory.hpp"
 #include "csht/estimator_registry.hpp"
 #include "tracking/intake/scan_intake.hpp"
 #include "tracking/ping_result.hpp"
+#include "tracking/restart/identity_map.hpp"
+#include "tracking/restart/scan_memory.hpp"
 #include "tracking/scan_pipeline.hpp"
 #include "tracking/tracker_registry.hpp"
 
@@ -59,8 +62,19 @@ class TrackingChain {
   void add(const core::VehicleState& state) { intake_.add(state); }
   /// Takes a scan; its result follows when its pose is known. A bad one is counted, reported and left out.
   void add(core::SonarScan scan) { intake_.add(std::move(scan)); }
-  void finish();  ///< There is no more data: gives what still waits.
+  /// A scan came for which there is no time: it is counted and left out.
+  void shed(const core::SonarScan& scan) { intake_.shed(scan); }
+  void finish();                                         ///< There is no more data: gives what still waits.
   void start_new_clock() { intake_.start_new_clock(); }  ///< What comes now is on another clock.
+
+  /// From now on the newest scans are kept for `memory`.
+  void remember(const ScanMemoryParams& params = {}) { scans_.emplace(params); }
+  /// What a chain of another process needs to go on. Without `remember` it holds no scans.
+  core::TrackingMemory memory() const;
+  /// Goes on where another chain ended: tracks its scans again, in silence, and gives their tracks the
+  /// identities that they had. To be called before any data. @return how many tracks were found again at
+  /// once; the others are looked for a while.
+  std::size_t restore(const core::TrackingMemory& memory);
 
   const IntakeCounts& counts() const { return intake_.counts(); }  ///< What was accepted and what rejected.
   /// Newest time among all data so far [us].
@@ -76,7 +90,10 @@ class TrackingChain {
   void track(const core::PosedScan& scan);
   void delay(const PingResult& result);
   void give_until(std::int64_t utime);
+  void give(PingResult result);
   void reset();
+  static std::unique_ptr<ScanPipeline> make_told(ChainParams params, const core::SonarParams& sensor,
+                                                 TrackingChain& chain);
 
   core::SonarParams configured_;
   MakePipeline make_pipeline_;
@@ -85,6 +102,12 @@ class TrackingChain {
   std::unique_ptr<ScanPipeline> pipeline_;
   bool is_fresh_ = true;  ///< The pipeline has seen no scan.
   std::deque<Delayed> delayed_;
+  std::optional<ScanMemory> scans_;
+  IdentityMap identities_;
+  std::vector<core::Track> newest_tracks_;  ///< As they were last given; kept with `scans_` alone.
+  std::int64_t newest_tracks_utime_ = 0;
+  core::Pose2 T_earth_body_;  ///< Of the scan that is tracked next.
+  bool is_restoring_ = false;
   ScanIntake intake_;
 };
 

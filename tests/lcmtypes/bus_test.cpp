@@ -20,6 +20,20 @@ TEST(Bus, TakesAMessageFromPublisherToHandler) {
   EXPECT_EQ(seen, std::vector<std::int64_t>{2'000'000});
 }
 
+TEST(Bus, WhatIsOverheardIsNoInput) {
+  Bus bus("memq://");
+  int overheard = 0, handled = 0;
+  bus.overhear("A", [&](auto) { ++overheard; });
+  bus.publish_bytes("A", std::vector<std::uint8_t>{1, 2});
+  EXPECT_EQ(bus.handle_for(milliseconds(1000)), Bus::Heard::aside);
+  bus.subscribe_bytes("A", [&](auto bytes) { handled += static_cast<int>(bytes.size()); });
+  bus.publish_bytes("A", std::vector<std::uint8_t>{1, 2});
+  EXPECT_EQ(bus.handle_for(milliseconds(1000)), Bus::Heard::message);
+  EXPECT_EQ(overheard, 2);
+  EXPECT_EQ(handled, 2);  // Once, of two bytes.
+  EXPECT_LE(bus.arrival(), std::chrono::steady_clock::now());
+}
+
 TEST(Bus, WaitsNoLongerThanItIsTold) {
   Bus bus("memq://");
   EXPECT_EQ(bus.handle_for(milliseconds(1)), Bus::Heard::nothing);

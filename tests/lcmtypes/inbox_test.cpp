@@ -73,5 +73,18 @@ TEST(Inbox, RefusesASecondHandlerOfOneChannel) {
   EXPECT_THROW(inbox.on<sonar_scan_t>("SONAR_SCAN", [](const auto&) {}), std::invalid_argument);
 }
 
+TEST(Inbox, LetsAnotherListenInBeforeOrAfterTheHandler) {
+  Inbox inbox;
+  int overheard = 0, handled = 0;
+  inbox.overhear("A", [&](auto) { ++overheard; });
+  inbox.on_bytes("A", [&](auto) { ++handled; });
+  inbox.on_bytes("B", [&](auto) { ++handled; });
+  inbox.overhear("B", [&](auto) { ++overheard; });
+  inbox.overhear("C", [&](auto) { ++overheard; });
+  for (const char* channel : {"A", "B", "C"}) inbox.take(channel, "1", 1);
+  EXPECT_EQ(overheard, 3);
+  EXPECT_EQ(handled, 2);
+}
+
 }  // namespace
 }  // namespace lookout::lcmtypes

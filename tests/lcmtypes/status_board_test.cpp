@@ -44,5 +44,19 @@ TEST(StatusBoard, ReadsBytesSixteenToNineteenAloneAndNothingFromLess) {
   EXPECT_FALSE(status_node_id(std::span(bytes).first(19)));
 }
 
+TEST(StatusBoard, KnowsItsOwnWordsFromThoseOfAnother) {
+  Bus bus("memq://");
+  StatusBoard own(bus, "LOOKOUT_STATUS", "lookout track", 7), other(bus, "OTHER", "lookout track", 7);
+  std::vector<bool> are_own;
+  bus.subscribe_bytes("LOOKOUT_STATUS", [&](auto bytes) { are_own.push_back(own.take_own(bytes)); });
+  bus.subscribe_bytes("OTHER", [&](auto bytes) { are_own.push_back(own.take_own(bytes)); });
+  own.publish({.utime = 1}, "");
+  own.publish({.utime = 2}, "");
+  other.publish({.utime = 3}, "");
+  other.publish({.utime = 2}, "");  // Word by word what we said, which has come back before.
+  bus.drain();
+  EXPECT_EQ(are_own, (std::vector<bool>{true, true, false, false}));
+}
+
 }  // namespace
 }  // namespace lookout::lcmtypes

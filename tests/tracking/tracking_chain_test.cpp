@@ -140,5 +140,75 @@ TEST(TrackingChain, IsFiveLinesForAProgramOfOnesOwn) {
   EXPECT_EQ(scans, 1);
 }
 
+/// One confirmed track at the north coordinate of the vehicle, begun at the first scan.
+class FollowingTracker final : public Tracker {
+ public:
+  std::span<const core::Track> update(const core::PosedScan& scan,
+                                      std::span<const core::MotionElement>) override {
+    if (track_.id == 0) track_.id = next_id_++;
+    track_.status = core::TrackStatus::confirmed;
+    track_.state[0] = scan.T_earth_sonar.north;
+    track_.covariance.setIdentity();
+    return {&track_, 1};
+  }
+  std::int64_t next_id() const override { return next_id_; }
+  void set_next_id(std::int64_t id) override { next_id_ = id; }
+
+ private:
+  std::int64_t next_id_ = 1;
+  core::Track track_;
+};
+
+struct FollowingChain {
+  void scan(int second) {
+    core::SonarScan scan;
+    scan.utime = second * kSecond;
+    scan.sequence = second;
+    scan.bearing_step = 0.1;
+    scan.max_range = 100.0;
+    scan.num_beams = 3;
+    chain.add(core::VehicleState{scan.utime, {1.0 * second, 0.0, 0.0}, {1.0, 0.0}});
+    chain.add(scan);
+  }
+  std::vector<std::int64_t> ids;
+  TrackingChain chain{ChainParams(), &pipeline_of<FollowingTracker>,
+                      [this](const PingResult& result) { ids.push_back(result.tracks[0].id); },
+                      [](const std::string&) {}};
+};
+
+TEST(TrackingChainRestart, GoesOnInSilenceWithTheSameIdentities) {
+  FollowingChain before, after;
+  before.chain.remember();
+  for (int k = 0; k < 10; ++k) before.scan(k);
+  EXPECT_EQ(after.chain.restore(before.chain.memory()), 1u);
+  EXPECT_TRUE(after.ids.empty());
+  EXPECT_EQ(after.chain.counts().accepted, 0);
+  for (int k = 12; k < 15; ++k) after.scan(k);
+  EXPECT_EQ(after.ids, (std::vector<std::int64_t>{1, 1, 1}));
+  EXPECT_EQ(after.chain.counts().lost, 2);
+}
+
+TEST(TrackingChainRestart, NeverUsesAnIdentityAgain) {
+  FollowingChain before, after;
+  before.chain.remember();
+  before.scan(0);
+  core::TrackingMemory memory = before.chain.memory();
+  memory.tracks[0].state[0] = 500.0;  // Not there any more.
+  EXPECT_EQ(after.chain.restore(memory), 0u);
+  after.scan(1);
+  EXPECT_GE(after.ids.at(0), memory.next_id);
+}
+
+TEST(TrackingChainRestart, ARestartAfterARestartHasTheSameIdentities) {
+  FollowingChain first, second, third;
+  first.chain.remember();
+  for (int k = 0; k < 3; ++k) first.scan(k);
+  second.chain.restore(first.chain.memory());
+  second.scan(3);
+  third.chain.restore(second.chain.memory());
+  third.scan(4);
+  EXPECT_EQ(third.ids, std::vector<std::int64_t>{1});
+}
+
 }  // namespace
 }  // namespace lookout::tracking

@@ -28,8 +28,11 @@ lcmtypes::LoopLimits loop_limits(const Options& options) {
   require_positive("--idle-exit", options.idle_exit);
   catch_stop_signals();
   notify_service_manager("READY=1");  // Up, if perhaps without its network yet.
-  return {options.duration, options.idle_exit, [] { return stop_requested(); },
+  return {options.duration,
+          options.idle_exit,
+          [] { return stop_requested(); },
           [] { notify_service_manager("WATCHDOG=1"); },
+          [](const std::string& state) { notify_service_manager("STATUS=" + state); },
           [](const std::string& line) { log_warning("link: " + line); }};
 }
 

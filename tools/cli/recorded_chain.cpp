@@ -55,6 +55,8 @@ std::string describe(const tracking::IntakeCounts& counts) {
   add(counts.no_pose, "rejected without a pose");
   add(counts.damaged, "rejected as damaged");
   add(counts.out_of_time, "rejected as out of time");
+  add(counts.frozen, "rejected as frozen");
+  add(counts.shed, "shed under overload");
   add(counts.lost, "lost by sequence");
   add(counts.restarts, "restarts of the sequence");
   add(counts.resets, "new clocks");

@@ -21,7 +21,10 @@ template <class Node>
 void work(Node& node, const lcmtypes::LoopLimits& limits, const Options& options) {
   node.run(limits);
   log_info("track: " + describe(node.counts()) + "; latency p50 " + core::shortest(node.latency(0.50)) +
-           " ms, p99 " + core::shortest(node.latency(0.99)) + " ms");
+           " ms, p99 " + core::shortest(node.latency(0.99)) + " ms, p99.9 " +
+           core::shortest(node.latency(0.999)) + " ms, worst " + core::shortest(node.latency(1.0)) + " ms; " +
+           node.stages());
+  log_info("track: " + node.health().text());
   if (options.publish_estimates)
     log_info("track: link: " + std::to_string(node.link().messages_sent()) + " estimates, " +
              std::to_string(node.link().bytes_sent()) + " bytes, at most " +
@@ -40,6 +43,7 @@ int track_command(const Options& options) {
   params.node_id = options.node_id;
   params.publish_estimates = options.publish_estimates;
   params.link = configuration.fusion.link;
+  params.state_file = options.state;
   const auto link = open_when_possible(options.lcm_url, limits);
   if (!link) return 0;
   lcmtypes::Bus& bus = *link;

@@ -1,7 +1,9 @@
 #include "tools/watch/health.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
+#include <string_view>
 
 namespace lookout::tools {
 namespace {
@@ -38,9 +40,17 @@ void complain_of_losses(const HeardChannel& channel, double largest_share, Lines
                     std::to_string(counts.received + counts.lost));
 }
 
+/// Whether a tracker says of itself that it is not healthy, in one of the words of docs/live.md.
+bool is_ill(const lcmtypes::NodeStatus& status) {
+  constexpr std::array<std::string_view, 3> kStates{"no data", "overloaded", "degraded"};
+  return std::any_of(kStates.begin(), kStates.end(),
+                     [&](std::string_view state) { return status.last_error.starts_with(state); });
+}
+
 void complain_of_node(const std::string& key, const HeardNode& node, double gap, double period,
                       const HealthLimits& limits, Lines& lines) {
   const auto& status = node.status;
+  if (is_ill(status)) lines.push_back(key + ": " + status.last_error);
   if (gap > limits.longest_status_gap) lines.push_back(key + ": silent for " + seconds_text(gap));
   if (const auto more = status.rejected - node.first_rejected; more > 0)
     lines.push_back(key + ": refused " + std::to_string(more) + " messages while watched" +

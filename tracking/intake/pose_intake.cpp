@@ -6,6 +6,12 @@
 
 namespace lookout::tracking {
 
+namespace {
+
+constexpr double kMoves = 0.05;  // Slower than this a vehicle may rest [m/s].
+
+}  // namespace
+
 using Verdict = ClockGuard::Verdict;
 
 PoseIntake::PoseIntake(Sink sink, std::int64_t max_bracket, const ClockGuardParams& clock)
@@ -13,6 +19,7 @@ PoseIntake::PoseIntake(Sink sink, std::int64_t max_bracket, const ClockGuardPara
 
 void PoseIntake::add(const core::VehicleState& state) {
   if (const auto reason = defect(state); !reason.empty()) return sink_.refuse(state, reason);
+  if (is_frozen(state)) return sink_.refuse(state, "its pose repeats to the bit while it says that it moves");
   switch (const Verdict verdict = clock_.judge(state.utime); verdict) {
     case Verdict::in_order:
       refuse_held();
@@ -28,6 +35,14 @@ void PoseIntake::add(const core::VehicleState& state) {
       held_.push_back(state);
       return believe_held(verdict == Verdict::new_clock);
   }
+}
+
+/// Navigation that hangs, or holds its last fix: what comes is no pose of its own time.
+bool PoseIntake::is_frozen(const core::VehicleState& state) {
+  const auto before = std::exchange(newest_, state);
+  if (!before || before->utime == state.utime || state.velocity.norm() < kMoves) return false;
+  const core::Pose2 &now = state.T_earth_body, &then = before->T_earth_body;
+  return now.north == then.north && now.east == then.east && now.heading == then.heading;
 }
 
 void PoseIntake::begin_new_clock(std::int64_t utime) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -36,6 +37,7 @@ class PoseIntake {
   std::optional<std::int64_t> newest_utime() const { return clock_.last(); }  ///< Of what is believed [us].
 
  private:
+  bool is_frozen(const core::VehicleState& state);
   void believe(const core::VehicleState& state, bool new_clock);
   void believe_held(bool new_clock);
   void refuse_held();
@@ -43,7 +45,8 @@ class PoseIntake {
   Sink sink_;
   ClockGuard clock_;
   core::PoseHistory poses_;
-  std::vector<core::VehicleState> held_;  ///< Suspect, and each later than the one before.
+  std::optional<core::VehicleState> newest_;  ///< That came, believed or not.
+  std::vector<core::VehicleState> held_;      ///< Suspect, and each later than the one before.
 };
 
 }  // namespace lookout::tracking

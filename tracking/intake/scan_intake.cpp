@@ -24,6 +24,13 @@ core::SonarImage& ping_of(core::PosedImage& posed) {
   return posed.image;
 }
 
+std::int64_t num_returns(const core::SonarScan& scan) {
+  return static_cast<std::int64_t>(scan.returns.size());
+}
+std::int64_t num_returns(const core::SonarImage& /*image*/) {
+  return 0;
+}
+
 std::int64_t max_pose_gap(const core::SonarParams& configured) {
   return core::microseconds(configured.max_pose_gap);
 }
@@ -71,6 +78,7 @@ PingIntake<Ping>::PingIntake(const core::SonarParams& configured, Sink sink, con
                                 so_far(counts_.bad_states));
                },
                [this](const core::VehicleState& state, bool new_clock) {
+                 ++counts_.accepted_states;
                  if (new_clock) sink_.report("vehicle states are on a new clock" + at_time(state.utime));
                  if (sink_.believe) sink_.believe(state, new_clock);
                }},
@@ -79,6 +87,7 @@ PingIntake<Ping>::PingIntake(const core::SonarParams& configured, Sink sink, con
 
 template <class Ping>
 void PingIntake<Ping>::add(const core::VehicleState& state) {
+  ++counts_.states;
   states_.add(state);
   hand_out_what_has_a_pose();
 }
@@ -99,6 +108,17 @@ void PingIntake<Ping>::add(Ping ping) {
   if (verdict == Verdict::resumed) release(*sensor);
   if (verdict == Verdict::new_clock) begin_new_clock(*sensor, utime);
   hand_out_what_has_a_pose();
+}
+
+template <class Ping>
+void PingIntake<Ping>::shed(const Ping& ping) {
+  ++counts_.received;
+  ++counts_.shed;
+  Sensor* sensor = sensor_of(ping);
+  if (sensor == nullptr) return;
+  const std::int64_t lost = sensor->gaps.lost();
+  sensor->gaps.refused(ping.sequence);
+  counts_.lost += sensor->gaps.lost() - lost;
 }
 
 template <class Ping>
@@ -191,10 +211,12 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   Sensor& sensor = sensors_.at(ping.sensor_id);
   look_at(sensor, ping);
   count_sequence(sensor, ping.sequence);
+  handed_out_ = sensor.last_out = ping.utime;
+  if (is_frozen(sensor, ping)) return reject(ping, "its content repeats to the bit", counts_.frozen);
+  counts_.returns += num_returns(ping);
   const DroppedReturns dropped = drop_returns(ping);
   counts_.silent_returns += dropped.silent;
   counts_.dropped_returns += dropped.out_of_bounds;
-  handed_out_ = sensor.last_out = ping.utime;
   ++counts_.accepted;
   if (sink_.pose) sink_.pose(T_earth_body);
   sink_.accept(posed_);
@@ -211,11 +233,18 @@ void PingIntake<Ping>::look_at(Sensor& sensor, const Ping& ping) {
     sink_.report(described(ping) + " has another geometry than the configuration; the message wins" +
                  so_far(counts_.other_geometry));
   sensor.geometry = geometry;
+}
+
+/// A sensor that repeats itself says nothing, and whoever learns from it learns wrong. Once may be chance.
+template <class Ping>
+bool PingIntake<Ping>::is_frozen(Sensor& sensor, const Ping& ping) {
   const std::size_t content = hash_of(content_of(ping));
   const bool repeats = content != 0 && content == std::exchange(sensor.content, content);
   if (repeats && worth_a_line(++counts_.repeated))
     sink_.report(described(ping) + " repeats the one before to the bit: is the sensor frozen?" +
                  so_far(counts_.repeated));
+  sensor.repeats = repeats ? sensor.repeats + 1 : 0;
+  return sensor.repeats > 1;
 }
 
 template <class Ping>
@@ -275,6 +304,7 @@ void PingIntake<Ping>::forget_clock() {
     sensor.last_out.reset();
     sensor.gaps.forget();
     sensor.content = 0;
+    sensor.repeats = 0;
   }
 }
 

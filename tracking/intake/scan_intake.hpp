@@ -29,25 +29,30 @@ struct IntakeParams {
   ClockGuardParams clock;                      ///< `max_late` is taken from max_wait.
 };
 
-/// What became of everything that came in since the start: received = accepted + rejected() + what still
-/// waits.
+/// What became of everything that came in since the start: received = accepted + rejected() + shed + what
+/// still waits.
 struct IntakeCounts {
   std::int64_t received = 0;         ///< Pings that came.
   std::int64_t accepted = 0;         ///< Pings handed out.
   std::int64_t no_pose = 0;          ///< Pings without vehicle states on either side.
   std::int64_t damaged = 0;          ///< Pings with a damaged header or wrong sizes.
   std::int64_t out_of_time = 0;      ///< Pings that repeat, come too late or leap ahead in time.
+  std::int64_t frozen = 0;           ///< Pings with the content of two before them, to the bit.
+  std::int64_t shed = 0;             ///< Pings left out, unread, because newer ones waited.
   std::int64_t lost = 0;             ///< Pings missing by their sensor's sequence: they never came.
   std::int64_t restarts = 0;         ///< Times that a sequence went backwards.
   std::int64_t resets = 0;           ///< New clocks.
+  std::int64_t returns = 0;          ///< Of accepted scans, those that are dropped below included.
   std::int64_t silent_returns = 0;   ///< NaN, infinite or of range 0: silences, of accepted pings.
   std::int64_t dropped_returns = 0;  ///< Returns out of bounds, of accepted pings.
-  std::int64_t repeated = 0;         ///< Accepted pings with the content of the one before, to the bit.
+  std::int64_t repeated = 0;         ///< Pings with the content of the one before, to the bit.
   std::int64_t other_geometry = 0;   ///< Accepted pings whose geometry is not the configured one.
+  std::int64_t states = 0;           ///< Vehicle states that came = accepted_states + bad_states + suspects.
+  std::int64_t accepted_states = 0;  ///< Vehicle states that are believed.
   std::int64_t bad_states = 0;       ///< Vehicle states damaged or out of time.
 
   /// Pings that were not handed out.
-  std::int64_t rejected() const { return no_pose + damaged + out_of_time; }
+  std::int64_t rejected() const { return no_pose + damaged + out_of_time + frozen; }
 };
 
 /// The posed form of a kind of ping.
@@ -94,10 +99,12 @@ class PingIntake {
 
   void add(const core::VehicleState& state);  ///< The next one in the order of arrival.
   void add(Ping ping);                        ///< Likewise.
-  void finish();           ///< There is no more: what still waits for a pose will not get one.
-  void start_new_clock();  ///< What comes now is on another clock, as who keeps a recording knows.
+  void shed(const Ping& ping);  ///< A ping came but is not to be looked at: there is no time for it.
+  void finish();                ///< There is no more: what still waits for a pose will not get one.
+  void start_new_clock();       ///< What comes now is on another clock, as who keeps a recording knows.
 
   const IntakeCounts& counts() const { return counts_; }  ///< Since the start.
+  void forget_counts() { counts_ = {}; }                  ///< Counts from now on.
   std::int64_t newest_utime() const;  ///< Of the data that was believed [us]; 0 before any.
 
  private:
@@ -109,6 +116,7 @@ class PingIntake {
     std::optional<std::int64_t> last_out = {};
     std::optional<PingGeometry> geometry = {};
     std::size_t content = 0;  ///< Of the last ping, as a hash; 0 for too little to tell.
+    int repeats = 0;          ///< Pings in a row with that content, beyond the first.
   };
 
   Sensor* sensor_of(const Ping& ping);
@@ -119,6 +127,7 @@ class PingIntake {
   void bound_waiting();
   void hand_out_what_has_a_pose();
   void hand_out(const core::Pose2& T_earth_body);
+  bool is_frozen(Sensor& sensor, const Ping& ping);
   void look_at(Sensor& sensor, const Ping& ping);
   void give_up_first(std::string_view reason);
   std::string why_no_pose(std::int64_t utime) const;

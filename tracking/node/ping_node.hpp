@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "lcmtypes/bus.hpp"
@@ -9,6 +11,7 @@
 #include "lcmtypes/node_loop.hpp"
 #include "lcmtypes/status_board.hpp"
 #include "tracking/node/local_estimate_sender.hpp"
+#include "tracking/node/node_health.hpp"
 #include "tracking/ping_result.hpp"
 
 namespace lookout::tracking {
@@ -19,6 +22,12 @@ struct TrackerNodeParams {
   std::int32_t node_id = 1;        ///< >= 1; 0 is for programs that track nothing.
   bool publish_estimates = false;  ///< Also LOCAL_ESTIMATE.
   LocalEstimateSenderParams link;  ///< What carries them; with our node_id.
+  /// Pings that may wait for the tracker; a newer one sheds the oldest. Nothing: kMaxWaiting on a link that
+  /// does not wait for us, else no limit.
+  std::optional<std::size_t> max_waiting = std::nullopt;
+  std::string state_file;  ///< Where the tracker's memory is kept for a restart; empty: nowhere.
+
+  static constexpr std::size_t kMaxWaiting = 16;  ///< Eight seconds of Table 7's sonar. Own choice.
 };
 
 /// What the nodes of scans and of images have in common, the publishing: MOTION_ELEMENTS, SENSOR_ESTIMATE,
@@ -30,18 +39,28 @@ class PingNode {
   /// @param report receives lines for a person. @throws core::InputError on a bad prefix or node_id.
   PingNode(lcmtypes::Bus& bus, const TrackerNodeParams& params, Report report);
 
-  void note_arrival() {
-    arrival_ = lcmtypes::NodeLoop::Clock::now();
-  }                                      ///< Of the message that is handled now.
+  using Clock = lcmtypes::NodeLoop::Clock;
+
+  /// A message is handled now that arrived then.
+  void note_handling(Clock::time_point arrival) {
+    arrival_ = arrival;
+    handling_ = Clock::now();
+  }
   void publish(const PingResult& ping);  ///< Sends all that the result holds, empty lists included.
   void note(const std::string& line);    ///< For a person, and for the status until another comes.
-  void publish_status(const lcmtypes::NodeFigures& figures);  ///< Sends LOOKOUT_STATUS.
+  /// Sends LOOKOUT_STATUS; `sample` says what was counted, for the state in it.
+  void publish_status(const lcmtypes::NodeFigures& figures, HealthSample sample);
 
   const lcmtypes::Channels& channels() const { return channels_; }  ///< With the prefix.
   const LocalEstimateSender& link() const { return sender_; }       ///< Of LOCAL_ESTIMATE, for its counts.
   double latency(double share) const { return status_.latency(share); }  ///< Percentile [ms].
+  const NodeHealth& health() const { return health_; }                   ///< As of the newest status.
+  /// The parts of the latency, for a person: percentiles of waiting, work and sending.
+  std::string stages() const;
 
  private:
+  void hear_status(std::span<const std::uint8_t> bytes);
+
   lcmtypes::Bus& bus_;
   TrackerNodeParams params_;
   lcmtypes::Channels channels_;
@@ -49,7 +68,11 @@ class PingNode {
   std::string last_error_;
   lcmtypes::StatusBoard status_;
   LocalEstimateSender sender_;
-  lcmtypes::NodeLoop::Clock::time_point arrival_;
+  NodeHealth health_;
+  double miss_probability_ = 0.0;  ///< The newest that was learnt; 0: none.
+  std::int64_t twins_ = 0;         ///< Statuses of another tracker under our name.
+  Clock::time_point arrival_, handling_;
+  lcmtypes::LatencyWindow waiting_, working_, sending_;
 };
 
 }  // namespace lookout::tracking

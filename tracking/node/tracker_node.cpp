@@ -1,11 +1,18 @@
-// VEHICLE_STATE, SONAR_SCAN (SONAR_IMAGE) -> chain -> MOTION_ELEMENTS, TRACKS, SENSOR_ESTIMATE,
+// VEHICLE_STATE, SONAR_SCAN (SONAR_IMAGE) -> queue -> chain -> MOTION_ELEMENTS, TRACKS, SENSOR_ESTIMATE,
 // LOCAL_ESTIMATE
 #include "tracking/node/tracker_node.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
+
+#include "core/input_error.hpp"
+#include "lcmtypes/state_file.hpp"
 
 namespace lookout::tracking {
 namespace {
+
+constexpr int kSecondsBetweenStates = 2;
 
 /// How a ping comes over the wire.
 template <class Ping>
@@ -21,39 +28,150 @@ struct WireOf<core::SonarImage> {
   static std::string channel(const lcmtypes::Channels& channels) { return channels.sonar_image(); }
 };
 
+std::size_t max_waiting(const lcmtypes::Bus& bus, const TrackerNodeParams& params) {
+  const auto unlimited = std::numeric_limits<std::size_t>::max();
+  return params.max_waiting.value_or(bus.is_live() ? TrackerNodeParams::kMaxWaiting : unlimited);
+}
+
 }  // namespace
 
 template <class Chain>
 ChainNode<Chain>::ChainNode(lcmtypes::Bus& bus, const TrackerNodeParams& params, const MakeChain& make_chain,
                             Report report)
     : bus_(bus),
+      params_(params),
+      max_waiting_(max_waiting(bus, params)),
       node_(bus, params, std::move(report)),
       chain_(make_chain([this](const PingResult& result) { node_.publish(result); },
                         [this](const std::string& line) { node_.note(line); })) {
-  using Ping = typename Chain::Ping;
-  const auto take = [this](auto data) {
-    node_.note_arrival();
-    chain_->add(std::move(data));
-  };
+  load_state();
+  listen();
+}
+
+template <class Chain>
+void ChainNode<Chain>::listen() {
   bus_.subscribe<vehicle_state_t>(node_.channels().vehicle_state(),
-                                  [take](const core::VehicleState& state) { take(state); });
+                                  [this](const core::VehicleState& state) { take(state); });
   bus_.subscribe<typename WireOf<Ping>::Message>(WireOf<Ping>::channel(node_.channels()),
-                                                 [take](Ping ping) { take(std::move(ping)); });
+                                                 [this](Ping ping) { take(std::move(ping)); });
+}
+
+/// Where nothing may be shed nothing needs to wait.
+template <class Chain>
+void ChainNode<Chain>::take(std::variant<core::VehicleState, Ping> data) {
+  const bool is_ping = data.index() == 1;
+  Arrived arrived{bus_.arrival(), std::move(data)};
+  if (max_waiting_ == std::numeric_limits<std::size_t>::max()) return handle(std::move(arrived));
+  queue_.push_back(std::move(arrived));
+  if (is_ping && ++pings_waiting_ > max_waiting_) shed_oldest();
+}
+
+template <class Chain>
+void ChainNode<Chain>::shed_oldest() {
+  const auto is_ping = [](const Arrived& arrived) { return arrived.data.index() == 1; };
+  const auto oldest = std::find_if(queue_.begin(), queue_.end(), is_ping);
+  chain_->shed(std::get<Ping>(oldest->data));
+  queue_.erase(oldest);
+  --pings_waiting_;
+  const std::int64_t shed = chain_->counts().shed;
+  if ((shed & (shed - 1)) == 0)  // The first, second, fourth, ...
+    node_.note("overloaded: more than " + std::to_string(max_waiting_) + " wait, the oldest is shed (" +
+               std::to_string(shed) + " so far)");
+}
+
+/// Handles what waits, up to one ping and what comes before it. Returns whether more waits.
+template <class Chain>
+bool ChainNode<Chain>::work() {
+  while (!queue_.empty()) {
+    Arrived arrived = std::move(queue_.front());
+    queue_.pop_front();
+    const bool is_ping = arrived.data.index() == 1;
+    if (is_ping) --pings_waiting_;
+    handle(std::move(arrived));
+    if (is_ping) break;
+  }
+  return !queue_.empty();
+}
+
+template <class Chain>
+void ChainNode<Chain>::handle(Arrived arrived) {
+  node_.note_handling(arrived.arrival);
+  std::visit([this](auto data) { chain_->add(std::move(data)); }, std::move(arrived.data));
 }
 
 template <class Chain>
 void ChainNode<Chain>::run(const lcmtypes::LoopLimits& limits) {
-  lcmtypes::NodeLoop(bus_, limits, [this] { node_.publish_status(figures()); }).run();
+  lcmtypes::NodeLoop loop(bus_, limits, [this, &limits] { every_second(limits); });
+  loop.work_by([this] { return work(); });
+  loop.run();
   bus_.drain();
+  // Who is overloaded has no time to make up for it when it is to stop.
+  if (limits.stopped() && node_.health().state() == NodeState::overloaded)
+    while (pings_waiting_ > 0) shed_oldest();
+  while (work()) {
+  }
   chain_->finish();
-  node_.publish_status(figures());
+  publish_status();
+  save_state();
+}
+
+template <class Chain>
+void ChainNode<Chain>::every_second(const lcmtypes::LoopLimits& limits) {
+  publish_status();
+  limits.tell_state(node_.health().text());
+  if (++seconds_ < kSecondsBetweenStates) return;
+  seconds_ = 0;
+  save_state();
+}
+
+template <class Chain>
+void ChainNode<Chain>::publish_status() {
+  const IntakeCounts& counts = chain_->counts();
+  HealthSample sample;
+  sample.pings = counts.received;
+  sample.states = counts.states;
+  sample.returns = counts.returns;
+  sample.dropped_returns = counts.dropped_returns;
+  sample.repeated = counts.repeated;
+  sample.restarts = counts.restarts;
+  node_.publish_status(figures(), sample);
 }
 
 template <class Chain>
 lcmtypes::NodeFigures ChainNode<Chain>::figures() const {
   const IntakeCounts& counts = chain_->counts();
   return {chain_->newest_utime(), counts.accepted,
-          counts.rejected() + counts.bad_states + bus_.inbox().bad_messages(), counts.lost};
+          counts.rejected() + counts.bad_states + bus_.inbox().bad_messages(), counts.lost, counts.shed};
+}
+
+template <class Chain>
+void ChainNode<Chain>::load_state() {
+  if (params_.state_file.empty()) return;
+  if constexpr (requires { chain_->remember(); }) {
+    chain_->remember();
+    const lcmtypes::LoadedState state = lcmtypes::load_state(params_.state_file);
+    if (!state.refusal.empty())
+      return node_.note(params_.state_file + ": " + state.refusal + "; starting without what was known");
+    if (!state.memory) return;
+    const std::size_t found = chain_->restore(*state.memory);
+    node_.note("goes on where " + params_.state_file +
+               " ended: " + std::to_string(state.memory->scans.size()) + " scans tracked again, " +
+               std::to_string(found) + " tracks found again");
+  } else {
+    throw core::InputError("--state: is kept of scans alone, expected none with images");
+  }
+}
+
+template <class Chain>
+void ChainNode<Chain>::save_state() {
+  if constexpr (requires { chain_->memory(); }) {
+    if (params_.state_file.empty() || chain_->counts().accepted == 0) return;
+    try {
+      lcmtypes::save_state(params_.state_file, chain_->memory());
+    } catch (const std::exception& error) {
+      node_.note(error.what());
+    }
+  }
 }
 
 template class ChainNode<TrackingChain>;

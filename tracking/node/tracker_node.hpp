@@ -1,9 +1,14 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <string>
+#include <variant>
 
+#include "core/pose_history.hpp"
 #include "tracking/node/ping_node.hpp"
 #include "tracking/track_before_detect/images/image_chain.hpp"
 #include "tracking/tracking_chain.hpp"
@@ -12,19 +17,23 @@ namespace lookout::tracking {
 
 /// The on-vehicle process around a chain: VEHICLE_STATE and the chain's pings in (SONAR_SCAN or SONAR_IMAGE);
 /// MOTION_ELEMENTS, TRACKS and, where the method has it, SENSOR_ESTIMATE out, once for each accepted ping;
-/// LOOKOUT_STATUS every second.
+/// LOOKOUT_STATUS every second. What arrives waits in a queue of bounded length: pings that come faster than
+/// they can be tracked shed the oldest, which is counted and told.
 template <class Chain>
 class ChainNode {
  public:
   using Report = std::function<void(const std::string&)>;
+  using Ping = typename Chain::Ping;
   /// Makes the chain, given who receives its results and its lines for a person.
   using MakeChain = std::function<std::unique_ptr<Chain>(typename Chain::OnResult, Report)>;
 
   /// @param report receives lines for a person.
-  /// @throws core::InputError on a bad prefix or node_id; what `make_chain` throws.
+  /// @throws core::InputError on a bad prefix or node_id, or a state file for images; what `make_chain`
+  /// throws.
   ChainNode(lcmtypes::Bus& bus, const TrackerNodeParams& params, const MakeChain& make_chain, Report report);
 
-  /// Works until a limit is reached; then rejects what still waits and publishes a last status.
+  /// Works until a limit is reached; then tracks what has arrived, rejects what still waits for a pose, keeps
+  /// the state and publishes a last status.
   void run(const lcmtypes::LoopLimits& limits);
 
   const LocalEstimateSender& link() const { return node_.link(); }  ///< Of LOCAL_ESTIMATE, for its counts.
@@ -32,11 +41,34 @@ class ChainNode {
   /// Pings and vehicle states, accepted and rejected.
   const IntakeCounts& counts() const { return chain_->counts(); }
   double latency(double share) const { return node_.latency(share); }  ///< Percentile [ms].
+  std::string stages() const { return node_.stages(); }                ///< Of the latency, see PingNode.
+  const NodeHealth& health() const { return node_.health(); }          ///< As of the newest status.
 
  private:
+  /// A message that has arrived.
+  struct Arrived {
+    PingNode::Clock::time_point arrival;
+    std::variant<core::VehicleState, Ping> data;
+  };
+
+  void listen();
+  void take(std::variant<core::VehicleState, Ping> data);
+  void shed_oldest();
+  bool work();
+  void handle(Arrived arrived);
+  void every_second(const lcmtypes::LoopLimits& limits);
+  void publish_status();
+  void load_state();
+  void save_state();
+
   lcmtypes::Bus& bus_;
+  TrackerNodeParams params_;
+  std::size_t max_waiting_;
   PingNode node_;
   std::unique_ptr<Chain> chain_;
+  std::deque<Arrived> queue_;
+  std::size_t pings_waiting_ = 0;
+  int seconds_ = 0;  // Of status, since the state was kept.
 };
 
 extern template class ChainNode<TrackingChain>;

@@ -31,6 +31,18 @@ TEST_F(PoseIntakeTest, TakesStatesThatCrossAndRepeat) {
   EXPECT_TRUE(intake_.poses().at(kSecond / 20));
 }
 
+TEST_F(PoseIntakeTest, RefusesAPoseThatStandsWhileItSaysThatItMoves) {
+  for (int i = 0; i < 4; ++i) intake_.add({i * kSecond / 4, {1.0, 2.0, 0.5}, {0.5, 0.0}});
+  EXPECT_EQ(refused_.size(), 3u);
+  intake_.add({kSecond, {1.5, 2.0, 0.5}, {0.5, 0.0}});
+  EXPECT_EQ(believed_.size(), 2u);
+}
+
+TEST_F(PoseIntakeTest, AVehicleMayRest) {
+  for (int i = 0; i < 4; ++i) intake_.add({i * kSecond, {1.0, 2.0, 0.5}, {0.0, 0.0}});
+  EXPECT_TRUE(refused_.empty());
+}
+
 TEST_F(PoseIntakeTest, OneBadStampIsRefusedAlone) {
   for (const std::int64_t second : {0, 1, 5, 2, 3}) add(second * kSecond);
   EXPECT_EQ(refused_, std::vector<std::int64_t>{5 * kSecond});

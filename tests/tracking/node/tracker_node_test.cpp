@@ -5,6 +5,7 @@
 #include <lookout/node_status_t.hpp>
 
 #include "core/input_error.hpp"
+#include "tests/support/temporary_directory.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -152,6 +153,88 @@ TEST_F(TrackerNodeTest, SurvivesHostileInputAndTellsInItsStatus) {
   EXPECT_EQ(status_->dropped, 3);
   EXPECT_FALSE(status_->last_error.empty());
   EXPECT_EQ(tracks_.size(), 1u);
+}
+
+TEST_F(TrackerNodeTest, SaysInItsStatusHowItIs) {
+  run();
+  ASSERT_TRUE(status_);
+  EXPECT_EQ(status_->last_error.rfind("no data: no scan heard yet", 0), 0u) << status_->last_error;
+}
+
+TEST_F(TrackerNodeTest, TellsOfAnotherTrackerUnderItsName) {
+  lcmtypes::StatusBoard(bus_, "AUV1_LOOKOUT_STATUS", "lookout track", 4).publish({}, "");  // Another node.
+  run();
+  EXPECT_EQ(status_->last_error.find("another tracker"), std::string::npos);
+  lcmtypes::StatusBoard(bus_, "AUV1_LOOKOUT_STATUS", "lookout track", 3).publish({}, "twin");
+  run();
+  EXPECT_NE(status_->last_error.find("another tracker publishes on AUV1_LOOKOUT_STATUS as node 3"),
+            std::string::npos)
+      << status_->last_error;
+}
+
+/// The same with room for three scans, and a file for its state.
+class SmallTrackerNodeTest : public ::testing::Test {
+ protected:
+  std::unique_ptr<TrackerNode> node() {
+    TrackerNodeParams params;
+    params.max_waiting = 3;
+    params.state_file = directory_.file("state");
+    return std::make_unique<TrackerNode>(bus_, params, &stub_chain,
+                                         [this](const std::string& line) { said_.push_back(line); });
+  }
+  void scans(int from, int to) {
+    for (int k = from; k < to; ++k) {
+      core::SonarScan scan;
+      scan.utime = k * kSecond;
+      scan.sequence = k;
+      scan.bearing_step = 0.1;
+      scan.max_range = 100.0;
+      scan.num_beams = 3;
+      bus_.publish("VEHICLE_STATE", lcmtypes::to_wire(core::VehicleState{scan.utime, {}, {0.0, 0.0}}));
+      bus_.publish("SONAR_SCAN", lcmtypes::to_wire(scan));
+    }
+  }
+  tests::TemporaryDirectory directory_;
+  lcmtypes::Bus bus_{"memq://"};
+  std::vector<std::string> said_;
+};
+
+TEST_F(SmallTrackerNodeTest, ShedsTheOldestWhenTooManyWaitAndCountsThem) {
+  const auto tracker = node();
+  scans(0, 10);
+  tracker->run({.idle_exit = 0.05});
+  EXPECT_EQ(tracker->figures().shed, 7);
+  EXPECT_EQ(tracker->figures().accepted, 3);
+  EXPECT_EQ(tracker->figures().dropped, 0);  // What is shed is not lost.
+  EXPECT_EQ(tracker->counts().received, 10);
+  EXPECT_EQ(tracker->health().state(), NodeState::overloaded);
+  ASSERT_FALSE(said_.empty());
+  EXPECT_NE(said_[0].find("overloaded"), std::string::npos);
+  scans(10, 13);
+  tracker->run({.idle_exit = 0.05});
+  EXPECT_EQ(tracker->figures().accepted, 6);
+  EXPECT_EQ(tracker->figures().shed, 7);
+}
+
+TEST_F(SmallTrackerNodeTest, KeepsItsStateAndGoesOnByIt) {
+  {
+    const auto tracker = node();
+    scans(0, 3);
+    tracker->run({.idle_exit = 0.05});
+  }
+  lcmtypes::Bus again("memq://");
+  TrackerNodeParams params;
+  params.state_file = directory_.file("state");
+  TrackerNode(again, params, &stub_chain, [this](const std::string& line) { said_.push_back(line); });
+  ASSERT_FALSE(said_.empty());
+  EXPECT_NE(said_.back().find("3 scans tracked again"), std::string::npos) << said_.back();
+}
+
+TEST_F(SmallTrackerNodeTest, ADamagedStateIsAWordAndACleanStart) {
+  directory_.write("state", "nonsense");
+  node();
+  ASSERT_FALSE(said_.empty());
+  EXPECT_NE(said_[0].find("is no state of this version; starting without"), std::string::npos) << said_[0];
 }
 
 TEST(TrackerNode, RefusesTheNodeIdOfProgramsThatTrackNothing) {

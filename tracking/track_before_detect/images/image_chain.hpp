@@ -29,6 +29,8 @@ class ImageChain {
   void add(const core::VehicleState& state) { intake_.add(state); }
   /// Takes an image; tracked at once where its pose is known.
   void add(core::SonarImage image) { intake_.add(std::move(image)); }
+  /// An image came for which there is no time: it is counted and left out.
+  void shed(const core::SonarImage& image) { intake_.shed(image); }
   void finish() { intake_.finish(); }  ///< There is no more data.
   /// What comes now is on another clock, as who keeps a recording knows.
   void start_new_clock() { intake_.start_new_clock(); }

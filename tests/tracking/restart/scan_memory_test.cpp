@@ -1,0 +1,44 @@
+#include "tracking/restart/scan_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace lookout::tracking {
+namespace {
+
+constexpr std::int64_t kSecond = 1'000'000;
+
+core::SonarScan scan(std::int64_t utime) {
+  core::SonarScan scan;
+  scan.utime = utime;
+  scan.returns = {{0.1, 10.0, 1.0}};
+  return scan;
+}
+
+TEST(ScanMemory, KeepsTheNewestInOrderOfTime) {
+  ScanMemory memory({3, 60 * kSecond});
+  for (int k = 0; k < 5; ++k) memory.add(scan(k * kSecond), {1.0 * k, 0.0, 0.0});
+  const auto kept = memory.scans();
+  ASSERT_EQ(kept.size(), 3u);
+  EXPECT_EQ(kept[0].scan.utime, 2 * kSecond);
+  EXPECT_EQ(kept[2].scan.utime, 4 * kSecond);
+  EXPECT_EQ(kept[2].vehicle.utime, 4 * kSecond);
+  EXPECT_EQ(kept[2].vehicle.T_earth_body.north, 4.0);
+}
+
+TEST(ScanMemory, ForgetsWhatIsOldAndAll) {
+  ScanMemory memory({10, 2 * kSecond});
+  for (const int second : {0, 1, 10, 11}) memory.add(scan(second * kSecond), {});
+  EXPECT_EQ(memory.scans().size(), 2u);
+  memory.forget();
+  EXPECT_TRUE(memory.scans().empty());
+}
+
+TEST(ScanMemory, RefusesParamsOutOfRange) {
+  EXPECT_THROW(ScanMemory({0, 1}), std::invalid_argument);
+  EXPECT_THROW(ScanMemory({1, 0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace lookout::tracking
