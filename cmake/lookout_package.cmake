@@ -1,8 +1,25 @@
 # `cpack` in the build folder makes the vehicle's .deb: the program, its systemd unit and its documents; no Java, no
 # GUI, no development files. Debian's own tool finds the libraries that it depends on.
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/lookout)
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/packaging/lookout-track.service
-  DESTINATION lib/systemd/system COMPONENT vehicle)
+# One unit for a vehicle without a channel prefix, and one for each instance: lookout-track@AUV1 hears AUV1_SONAR_SCAN.
+set(LOOKOUT_UNIT_USE "The on-vehicle process. Enable with: systemctl enable --now lookout-track")
+set(LOOKOUT_UNIT_SETTINGS "/etc/default/lookout")
+set(LOOKOUT_UNIT_OF "")
+set(LOOKOUT_UNIT_STATE track)
+set(LOOKOUT_UNIT_FILES "EnvironmentFile=-/etc/default/lookout")
+set(LOOKOUT_UNIT_ARGUMENTS "")
+configure_file(${CMAKE_CURRENT_LIST_DIR}/packaging/lookout-track.service.in
+  ${PROJECT_BINARY_DIR}/packaging/lookout-track.service @ONLY)
+set(LOOKOUT_UNIT_USE "The on-vehicle process of one instance. Enable with: systemctl enable --now lookout-track@AUV1")
+set(LOOKOUT_UNIT_SETTINGS "/etc/default/lookout-INSTANCE")
+set(LOOKOUT_UNIT_OF " of %i")
+set(LOOKOUT_UNIT_STATE %i)
+set(LOOKOUT_UNIT_FILES "EnvironmentFile=-/etc/default/lookout-%i")
+set(LOOKOUT_UNIT_ARGUMENTS " --channel-prefix %i_")
+configure_file(${CMAKE_CURRENT_LIST_DIR}/packaging/lookout-track.service.in
+  ${PROJECT_BINARY_DIR}/packaging/lookout-track@.service @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/packaging/lookout-track.service
+  ${PROJECT_BINARY_DIR}/packaging/lookout-track@.service DESTINATION lib/systemd/system COMPONENT vehicle)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/packaging/lookout.default ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${documents} COMPONENT vehicle)
 

@@ -21,15 +21,18 @@ if dpkg-deb -c "$package" | grep -E '\.(hpp|a|jar|cmake)$'; then fail "developme
 
 dpkg-deb -x "$package" "$folder/root"
 "$folder/root/usr/bin/lookout" track --help | grep -q 'lookout track' || fail "the program does not run"
-for file in bin/lookout lib/systemd/system/lookout-track.service share/doc/lookout/copyright; do
+for file in bin/lookout lib/systemd/system/lookout-track.service lib/systemd/system/lookout-track@.service share/doc/lookout/copyright; do
   [ -s "$folder/root/usr/$file" ] || fail "no $file"
 done
 if command -v systemd-analyze > /dev/null; then
-  # systemd looks for the program where the unit says that it is.
-  unit=$folder/lookout-track.service
-  sed "s|/usr/bin/lookout|$folder/root/usr/bin/lookout|" "$folder/root/usr/lib/systemd/system/lookout-track.service" > "$unit"
-  systemd-analyze verify --man=no "$unit" > "$folder/said" 2>&1 || { cat "$folder/said"; fail "systemd refuses the unit"; }
-  [ ! -s "$folder/said" ] || { cat "$folder/said"; fail "systemd has something to say about the unit"; }
+  # systemd looks for the program where the unit says that it is; of a template it wants an instance.
+  for name in lookout-track lookout-track@; do
+    [ "$name" = lookout-track ] && unit=$folder/lookout-track.service || unit=$folder/lookout-track@AUV1.service
+    sed "s|/usr/bin/lookout|$folder/root/usr/bin/lookout|" "$folder/root/usr/lib/systemd/system/$name.service" > "$unit"
+    systemd-analyze verify --man=no "$unit" > "$folder/said" 2>&1 || { cat "$folder/said"; fail "systemd refuses $name"; }
+    [ ! -s "$folder/said" ] || { cat "$folder/said"; fail "systemd has something to say about $name"; }
+    systemd-analyze security --offline=true "$unit" 2> /dev/null | tail -n 1
+  done
 else
   echo "systemd-analyze is not installed: the unit is not checked"
 fi
