@@ -260,6 +260,15 @@ void declare_plot(CLI::App& app, Options& options) {
   add_scoring(app, options);
 }
 
+void declare_fault(CLI::App& app, Options& options) {
+  app.add_option("PLAN", options.inputs, "Fault plan YAML (docs/faults.md)")->expected(1)->required();
+  app.add_option("--to-prefix", options.to_prefix,
+                 "Before the channel names to speak on, e.g. FAULTY_ (default: none)");
+  app.add_option("--to-url", options.to_url, "LCM transport to speak on (default: that of --lcm-url)");
+  add_seed(app, options);
+  add_live(app, options);
+}
+
 struct Command {
   const char* name;
   const char* summary;
@@ -301,6 +310,8 @@ constexpr Command kCommands[] = {
      declare_status, status_command},
     {"plot", "Draws a run, a replay, a log or anyone's recording.", "lookout plot out/run", declare_plot,
      plot_command},
+    {"fault", "Relays traffic from one channel prefix to another and spoils it by plan and seed.",
+     "lookout fault tools/scenarios/faults/scan_lost.yaml --to-prefix FAULTY_", declare_fault, fault_command},
 };
 
 /// One line for a person; the status for a script.

@@ -50,6 +50,8 @@ struct Options {
   std::string http = "8080";  ///< PORT or ADDRESS:PORT of `watch`.
   std::string decisions;      ///< File of a tracker's --explain lines, for `watch`.
   bool once = false;          ///< `status` prints once and ends.
+  std::string to_url;         ///< LCM transport to which `fault` relays; empty: that it hears.
+  std::string to_prefix;      ///< Before the channel names to which `fault` relays.
   std::string state;          ///< File by which `track` goes on after a restart.
   bool animate = false;       ///< `plot` also draws a GIF.
 };

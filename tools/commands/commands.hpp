@@ -23,6 +23,7 @@ int import_command(const Options& options);
 int watch_command(const Options& options);
 int status_command(const Options& options);
 int plot_command(const Options& options);
+int fault_command(const Options& options);
 
 /// Names of the formats that `import_command` takes.
 std::vector<std::string> import_formats();

@@ -13,6 +13,7 @@
 #include "tools/experiments/track_before_detect/hpmht_sonar.hpp"
 #include "tools/experiments/track_before_detect/hpmht_video.hpp"
 #include "tools/experiments/tracking/csht_tracking.hpp"
+#include "tools/experiments/tracking/faults.hpp"
 #include "tools/experiments/tracking/limits.hpp"
 #include "tools/experiments/tracking/manoeuvres.hpp"
 #include "tools/experiments/tracking/radar_recordings.hpp"
@@ -31,6 +32,7 @@ const std::array kExperiments{
     ExperimentEntry{"manoeuvres", make_manoeuvres},
     ExperimentEntry{"recordings", make_recordings},
     ExperimentEntry{"sea", make_sea},
+    ExperimentEntry{"faults", make_faults},
     ExperimentEntry{"nht-simulated", make_nht_simulated},
     ExperimentEntry{"nht-real", make_nht_real},
     ExperimentEntry{"agfht-table2", make_agfht_table2},

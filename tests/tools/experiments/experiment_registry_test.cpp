@@ -13,7 +13,8 @@ namespace {
 // The names that scripts outside the repository rely on.
 constexpr std::array kNames{"csht-window",   "csht-ablation", "csht-tracking", "limits",      "recordings",
                             "nht-simulated", "nht-real",      "agfht-table2",  "agfht-sweep", "hpmht-video",
-                            "hpmht-sonar",   "t2gt",          "two-uuv",       "manoeuvres",  "sea"};
+                            "hpmht-sonar",   "t2gt",          "two-uuv",       "manoeuvres",  "sea",
+                            "faults"};
 
 TEST(ExperimentRegistry, HasEveryPublishedName) {
   for (const char* name : kNames) EXPECT_NE(make_experiment(name), nullptr) << name;
