@@ -269,6 +269,14 @@ void declare_fault(CLI::App& app, Options& options) {
   add_live(app, options);
 }
 
+void declare_doctor(CLI::App& app, Options& options) {
+  app.add_option("--lcm-url", options.lcm_url, "LCM transport (default: LCM_DEFAULT_URL, else LCM's own)");
+  app.add_option("--channel-prefix", options.channel_prefix,
+                 "Before the vehicle's channel names, e.g. AUV1_");
+  app.add_option("--out", options.out, "Directory that is to be written to (default: this one)");
+  app.add_option("--state", options.state, "File that `track --state` is to keep");
+}
+
 struct Command {
   const char* name;
   const char* summary;
@@ -312,6 +320,8 @@ constexpr Command kCommands[] = {
      plot_command},
     {"fault", "Relays traffic from one channel prefix to another and spoils it by plan and seed.",
      "lookout fault tools/scenarios/faults/scan_lost.yaml --to-prefix FAULTY_", declare_fault, fault_command},
+    {"doctor", "Checks this computer and its link, and says what to type; exit 1 where something would fail.",
+     "lookout doctor --channel-prefix AUV1_", declare_doctor, doctor_command},
 };
 
 /// One line for a person; the status for a script.

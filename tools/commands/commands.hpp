@@ -24,6 +24,7 @@ int watch_command(const Options& options);
 int status_command(const Options& options);
 int plot_command(const Options& options);
 int fault_command(const Options& options);
+int doctor_command(const Options& options);
 
 /// Names of the formats that `import_command` takes.
 std::vector<std::string> import_formats();
