@@ -1,6 +1,8 @@
 #include "tracking/intake/scan_intake.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +18,9 @@ using Verdict = ClockGuard::Verdict;
 
 /// Sensors that one vehicle is likely to carry; more of them are damaged messages.
 constexpr std::size_t kMaxSensors = 64;
+
+/// A heading in radians stays within; one in degrees seldom does [rad].
+constexpr double kTwoTurns = 4.0 * std::numbers::pi;
 
 core::SonarScan& ping_of(core::PosedScan& posed) {
   return posed.scan;
@@ -79,6 +84,7 @@ PingIntake<Ping>::PingIntake(const core::SonarParams& configured, Sink sink, con
                },
                [this](const core::VehicleState& state, bool new_clock) {
                  ++counts_.accepted_states;
+                 if (std::abs(state.T_earth_body.heading) > kTwoTurns) ++counts_.wide_headings;
                  if (new_clock) sink_.report("vehicle states are on a new clock" + at_time(state.utime));
                  if (sink_.believe) sink_.believe(state, new_clock);
                }},

@@ -49,6 +49,7 @@ struct IntakeCounts {
   std::int64_t other_geometry = 0;   ///< Accepted pings whose geometry is not the configured one.
   std::int64_t states = 0;           ///< Vehicle states that came = accepted_states + bad_states + suspects.
   std::int64_t accepted_states = 0;  ///< Vehicle states that are believed.
+  std::int64_t wide_headings = 0;    ///< Of believed states, headings beyond two turns: degrees?
   std::int64_t bad_states = 0;       ///< Vehicle states damaged or out of time.
 
   /// Pings that were not handed out.

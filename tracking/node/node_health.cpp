@@ -47,6 +47,7 @@ HealthSample NodeHealth::change() const {
   recent.returns -= oldest.returns;
   recent.dropped_returns -= oldest.dropped_returns;
   recent.repeated -= oldest.repeated;
+  recent.wide_headings -= oldest.wide_headings;
   recent.twins -= oldest.twins;
   return recent;
 }
@@ -93,7 +94,10 @@ void NodeHealth::judge_content(const HealthSample& recent) {
   if (recent.repeated > 0) blame(NodeState::degraded, "the sonar repeats itself");
   if (recent.returns > 0 &&
       static_cast<double>(recent.dropped_returns) > kMostOutOfBounds * static_cast<double>(recent.returns))
-    blame(NodeState::degraded, "implausible: most returns lie outside the beams or the range");
+    blame(NodeState::degraded,
+          "implausible: many returns lie outside the beams or the range: degrees, another unit?");
+  if (recent.wide_headings > 0)
+    blame(NodeState::degraded, "implausible: the vehicle's heading is beyond two turns: degrees?");
   if (recent.miss_probability > kMostMissed)
     blame(NodeState::degraded, "implausible: nearly every echo is missed where a target should be");
 }

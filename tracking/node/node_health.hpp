@@ -20,6 +20,7 @@ struct HealthSample {
   std::int64_t returns = 0;          ///< Of accepted pings, those left out included.
   std::int64_t dropped_returns = 0;  ///< Of those, out of bounds.
   std::int64_t repeated = 0;         ///< Pings with the content of the one before.
+  std::int64_t wide_headings = 0;    ///< Vehicle states with a heading beyond two turns.
   std::int64_t twins = 0;            ///< Statuses of another tracker with our channel and node id.
   double miss_probability = 0.0;     ///< The newest that was learnt, not since the start; 0: nothing learnt.
 };
@@ -35,7 +36,7 @@ class NodeHealth {
  public:
   static constexpr std::size_t kWindow = 10;        ///< Samples.
   static constexpr int kSilence = 5;                ///< Samples without input that are too many.
-  static constexpr double kMostOutOfBounds = 0.5;   ///< Share of returns; more are not this sonar's.
+  static constexpr double kMostOutOfBounds = 0.2;   ///< Share of returns; more are not this sonar's.
   static constexpr std::int64_t kMostRestarts = 2;  ///< Of a sender; more are two senders.
   static constexpr double kMostMissed = 0.9;        ///< Learnt P_M; above it targets are not where told.
 

@@ -133,6 +133,7 @@ void ChainNode<Chain>::publish_status() {
   sample.returns = counts.returns;
   sample.dropped_returns = counts.dropped_returns;
   sample.repeated = counts.repeated;
+  sample.wide_headings = counts.wide_headings;
   sample.restarts = counts.restarts;
   node_.publish_status(figures(), sample);
 }

@@ -5,6 +5,13 @@
 #include <string>
 
 namespace lookout::tracking {
+namespace {
+
+/// A start must not take longer than a watchdog's patience: of scans with many returns fewer are kept, but as
+/// many as a track's window has.
+constexpr std::size_t kMostReturns = 4000, kFewest = 20;
+
+}  // namespace
 
 ScanMemory::ScanMemory(const ScanMemoryParams& params) : params_(params) {
   if (params.max_scans < 1) throw std::invalid_argument("max_scans must be >= 1, got 0");
@@ -23,11 +30,17 @@ void ScanMemory::add(const core::SonarScan& scan, const core::Pose2& T_earth_bod
 std::vector<core::RememberedScan> ScanMemory::scans() const {
   std::vector<core::RememberedScan> kept;
   if (count_ == 0) return kept;
-  const std::int64_t newest = ring_[(next_ + ring_.size() - 1) % ring_.size()].scan.utime;
+  const auto back = [this](std::size_t i) -> const core::RememberedScan& {
+    return ring_[(next_ + ring_.size() - 1 - i) % ring_.size()];
+  };
+  std::size_t returns = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    const auto& remembered = ring_[(next_ + ring_.size() - count_ + i) % ring_.size()];
-    if (newest - remembered.scan.utime <= params_.max_age) kept.push_back(remembered);
+    returns += back(i).scan.returns.size();
+    const bool is_old = back(0).scan.utime - back(i).scan.utime > params_.max_age;
+    if (is_old || (i >= kFewest && returns > kMostReturns)) break;
+    kept.push_back(back(i));
   }
+  std::reverse(kept.begin(), kept.end());
   return kept;
 }
 

@@ -201,6 +201,13 @@ TEST_F(ScanIntakeTest, TwoSensorsShareATimeAndHaveTheirOwnSequences) {
   EXPECT_EQ(reports_.size(), 1u);  // The geometry of the second, once.
 }
 
+TEST_F(ScanIntakeTest, CountsHeadingsThatNoRadianHas) {
+  intake_.add(core::VehicleState{0, {0.0, 0.0, 6.0}, {0.0, 0.0}});
+  intake_.add(core::VehicleState{kSecond, {0.0, 0.0, 30.0}, {0.0, 0.0}});
+  EXPECT_EQ(counts().wide_headings, 1);
+  EXPECT_EQ(counts().accepted_states, 2);
+}
+
 // The first repeat may be chance; from the second on nothing is learnt of them.
 TEST_F(ScanIntakeTest, TellsOfASensorThatIsFrozenAndLeavesItOut) {
   auto ping = scan(0, 0);

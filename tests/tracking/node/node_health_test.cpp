@@ -79,9 +79,13 @@ TEST_F(NodeHealthTest, FindsReturnsAndFiguresImplausible) {
   seconds(1);
   sample_.dropped_returns += 400;
   seconds(1);
-  EXPECT_NE(health_.text().find("implausible: most returns"), std::string::npos);
+  EXPECT_NE(health_.text().find("implausible: many returns"), std::string::npos);
   seconds(10);
   EXPECT_EQ(health_.state(), NodeState::healthy);
+  sample_.wide_headings += 1;
+  seconds(1);
+  EXPECT_NE(health_.text().find("degrees?"), std::string::npos);
+  seconds(10);
   sample_.miss_probability = 0.97;
   seconds(1);
   EXPECT_NE(health_.text().find("implausible: nearly every echo"), std::string::npos);

@@ -35,6 +35,19 @@ TEST(ScanMemory, ForgetsWhatIsOldAndAll) {
   EXPECT_TRUE(memory.scans().empty());
 }
 
+TEST(ScanMemory, KeepsFewerScansOfManyReturns) {
+  ScanMemory memory;
+  core::SonarScan large = scan(0);
+  large.returns.resize(500);
+  for (int k = 0; k < 80; ++k) {
+    large.utime = k * kSecond / 2;
+    memory.add(large, {});
+  }
+  const auto kept = memory.scans();
+  ASSERT_EQ(kept.size(), 20u);  // As many as a window has, above 4,000 returns.
+  EXPECT_EQ(kept.back().scan.utime, 79 * kSecond / 2);
+}
+
 TEST(ScanMemory, RefusesParamsOutOfRange) {
   EXPECT_THROW(ScanMemory({0, 1}), std::invalid_argument);
   EXPECT_THROW(ScanMemory({1, 0}), std::invalid_argument);
