@@ -1,7 +1,10 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "fusion/fusion.hpp"
 #include "lcmtypes/bus.hpp"
@@ -31,9 +34,16 @@ class FusionNode {
   const Fusion& fusion() const { return fusion_; }       ///< What the node feeds, for its counts.
   std::int64_t published() const { return published_; }  ///< Lists sent.
   std::int64_t refused() const;                          ///< Messages that changed nothing.
+  std::int64_t leaps() const { return leaps_; }          ///< Of nodes' positions: two senders under one id.
+
+  static constexpr std::size_t kMostWatched = 64;  ///< Nodes whose position is watched.
+  static constexpr double kLeap = 50.0;            ///< A position may be off by so much [m] ...
+  static constexpr double kFastest = 20.0;         ///< ... and move by so much [m/s].
 
  private:
   void take(const core::LocalEstimate& estimate);
+  void watch_sender(const core::LocalEstimate& estimate);
+  std::string troubles() const;
   void publish_pending();
   void every_second();
 
@@ -44,7 +54,10 @@ class FusionNode {
   std::optional<std::int64_t> pending_;  ///< The time to fuse once all its estimates are in [us].
   bool heard_since_second_ = false;
   std::int64_t published_ = 0;
-  std::int64_t left_out_ = 0;  ///< Tracks above what a message holds.
+  std::map<std::int32_t, core::LocalEstimate> newest_of_;  ///< Of each node, kMostWatched of them.
+  std::int64_t leaps_ = 0;                                 ///< Of a node's position, which no vehicle makes.
+  std::int32_t leaping_node_ = 0;                          ///< The newest that did.
+  std::int64_t left_out_ = 0;                              ///< Tracks above what a message holds.
 };
 
 }  // namespace lookout::fusion

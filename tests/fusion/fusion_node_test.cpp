@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lcmtypes/convert_reports.hpp"
 #include "tests/fusion/test_nodes.hpp"
 
 namespace lookout::fusion {
@@ -61,6 +62,23 @@ TEST_F(OnOneBus, DamagedMessagesAreCountedAndHarmless) {
   run();
   EXPECT_EQ(node.fusion().count(Intake::accepted), 2);
   EXPECT_EQ(node.refused(), 3);
+}
+
+TEST_F(OnOneBus, TellsOfTwoVehiclesWithOneIdAndWhatItRefused) {
+  std::string said;
+  bus.subscribe_bytes("LOOKOUT_STATUS", [&said](std::span<const std::uint8_t> bytes) {
+    if (const auto status = lcmtypes::read_node_status(bytes)) said = status->last_error;
+  });
+  for (int k = 0; k < 4; ++k) {
+    core::LocalEstimate here = estimate(1, 1, 0.5 * k, {0, 0, 2, 0});
+    here.p_earth_node = {k % 2 == 0 ? 0.0 : 5000.0, 0.0};
+    bus.publish(lcmtypes::Channels::kLocalEstimate, lcmtypes::to_wire(here));
+  }
+  send(1, 1.5);
+  run();
+  EXPECT_GE(node.leaps(), 3);
+  EXPECT_NE(said.find("node 1 leaps to and fro"), std::string::npos) << said;
+  EXPECT_NE(said.find("refused: 1 repeated"), std::string::npos) << said;
 }
 
 }  // namespace
