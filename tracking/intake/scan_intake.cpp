@@ -333,6 +333,7 @@ void PingIntake<Ping>::count_sequence(Sensor& sensor, std::int64_t sequence) {
   const Step step = sensor.gaps.add(sequence);
   counts_.lost += sensor.gaps.lost() - lost;
   counts_.restarts += sensor.gaps.restarts() - restarts;
+  if (step == Step::restart) ++counts_.backwards;
   if (step == Step::gap && worth_a_line(++num_gaps_))
     sink_.report("lost before sequence " + std::to_string(sequence) + so_far(counts_.lost));
   if (step == Step::restart && worth_a_line(counts_.restarts))

@@ -41,6 +41,7 @@ struct IntakeCounts {
   std::int64_t shed = 0;             ///< Pings left out, unread, because newer ones waited.
   std::int64_t lost = 0;             ///< Pings missing by their sensor's sequence: they never came.
   std::int64_t restarts = 0;         ///< Times that a sequence went backwards.
+  std::int64_t backwards = 0;        ///< Numbers below the one before, single mistakes included.
   std::int64_t resets = 0;           ///< New clocks.
   std::int64_t returns = 0;          ///< Of accepted scans, those that are dropped below included.
   std::int64_t silent_returns = 0;   ///< NaN, infinite or of range 0: silences, of accepted pings.

@@ -134,7 +134,7 @@ void ChainNode<Chain>::publish_status() {
   sample.dropped_returns = counts.dropped_returns;
   sample.repeated = counts.repeated;
   sample.wide_headings = counts.wide_headings;
-  sample.restarts = counts.restarts;
+  sample.restarts = counts.backwards;
   node_.publish_status(figures(), sample);
 }
 

@@ -201,6 +201,16 @@ TEST_F(ScanIntakeTest, TwoSensorsShareATimeAndHaveTheirOwnSequences) {
   EXPECT_EQ(reports_.size(), 1u);  // The geometry of the second, once.
 }
 
+// Two senders of one number each: nothing is lost, but the numbers go to and fro.
+TEST_F(ScanIntakeTest, CountsNumbersThatGoToAndFro) {
+  for (int i = 0; i < 10; ++i) {
+    next_sequence_ = i % 2 == 0 ? 1000 + i / 2 : i / 2;
+    surrounded_scan(i * kSecond);
+  }
+  EXPECT_EQ(counts().lost, 0);
+  EXPECT_GE(counts().backwards, 4);
+}
+
 TEST_F(ScanIntakeTest, CountsHeadingsThatNoRadianHas) {
   intake_.add(core::VehicleState{0, {0.0, 0.0, 6.0}, {0.0, 0.0}});
   intake_.add(core::VehicleState{kSecond, {0.0, 0.0, 30.0}, {0.0, 0.0}});
