@@ -9,8 +9,8 @@ namespace lookout::tests {
 namespace {
 
 TEST(CommandLine, HelpShowsAnExampleFirst) {
-  for (const std::string command :
-       {"run", "sim", "track", "score", "replay", "ospa", "experiment", "watch", "status", "plot"}) {
+  for (const std::string command : {"run", "sim", "track", "score", "replay", "ospa", "experiment", "watch",
+                                    "status", "plot", "fault", "doctor"}) {
     const auto result = run_lookout(command + " --help");
     EXPECT_EQ(result.status, 0);
     EXPECT_TRUE(result.out.starts_with("Example:\n  lookout " + command)) << result.out;
@@ -38,10 +38,26 @@ TEST(CommandLine, HelpOfANameOptionListsTheNames) {
 
 TEST(CommandLine, BadUsageIsStatusTwoAndOneLine) {
   for (const std::string arguments :
-       {"", "fly", "ospa", "experiment --runs 0", "experiment --runs many", "run --xyz",
-        "watch --http 70000 --lcm-url memq://", "watch /no/such/log",
-        "watch --decisions /no/such/file --lcm-url memq://", "status --once --lcm-url nonsense",
-        "status --channel-prefix a+b", "status --duration 0", "plot", "plot /no/such"}) {
+       {"",
+        "fly",
+        "ospa",
+        "experiment --runs 0",
+        "experiment --runs many",
+        "run --xyz",
+        "watch --http 70000 --lcm-url memq://",
+        "watch /no/such/log",
+        "watch --decisions /no/such/file --lcm-url memq://",
+        "status --once --lcm-url nonsense",
+        "status --channel-prefix a+b",
+        "status --duration 0",
+        "plot",
+        "plot /no/such",
+        "fault",
+        "fault /no/such",
+        "fault " LOOKOUT_SOURCE_DIR "/tools/scenarios/faults/scan_off.yaml --lcm-url memq://",
+        "doctor --channel-prefix a+b",
+        "doctor --lcm-url nonsense",
+        "track --state x --estimator h_pmht --lcm-url memq://"}) {
     const auto result = run_lookout(arguments);
     EXPECT_EQ(result.status, 2) << arguments;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;

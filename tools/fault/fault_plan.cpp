@@ -84,6 +84,14 @@ void read_flood(const YamlMap& map, Fault& fault) {
   fault.copies_are_garbage = map.choice("content", "repeat", {"repeat", "garbage"}) == "garbage";
 }
 
+/// What is off by something; of other kinds nothing.
+void read_offset(const YamlMap& map, Fault& fault) {
+  if (fault.kind == FaultKind::clock_step) fault.step = effective(map, "step", kClock);
+  if (fault.kind == FaultKind::clock_drift) fault.rate = effective(map, "rate", kRate);
+  if (fault.kind == FaultKind::sequence_jump)
+    fault.jump = static_cast<std::int64_t>(effective(map, "jump", kJump));
+}
+
 void read_numbers(const YamlMap& map, Fault& fault) {
   switch (fault.kind) {
     case FaultKind::garbage:
@@ -105,24 +113,14 @@ void read_numbers(const YamlMap& map, Fault& fault) {
       fault.off = map.required_number("off", kSeconds);
       fault.on = map.required_number("on", kSeconds);
       break;
-    case FaultKind::clock_step:
-      fault.step = effective(map, "step", kClock);
-      break;
-    case FaultKind::clock_drift:
-      fault.rate = effective(map, "rate", kRate);
-      break;
-    case FaultKind::sequence_jump:
-      fault.jump = static_cast<std::int64_t>(effective(map, "jump", kJump));
-      break;
     case FaultKind::two_sources:
       fault.shift = map.number("shift", fault.shift, kSeconds);
       break;
     case FaultKind::flood:
       read_flood(map, fault);
       break;
-    case FaultKind::off:
-    case FaultKind::stuck:
-      break;
+    default:
+      read_offset(map, fault);
   }
 }
 
