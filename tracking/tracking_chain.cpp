@@ -1,5 +1,6 @@
 #include "tracking/tracking_chain.hpp"
 
+#include <cassert>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -92,6 +93,12 @@ std::size_t TrackingChain::restore(const core::TrackingMemory& memory) {
   const auto renamed = identities_.rename(newest_tracks_, newest_tracks_utime_);
   newest_tracks_ = {renamed.begin(), renamed.end()};
   return expected - identities_.num_expected();
+}
+
+void TrackingChain::use(const core::SonarParams& sensor) {
+  assert(is_fresh_);
+  configured_ = sensor;
+  pipeline_ = make_pipeline_(configured_);
 }
 
 void TrackingChain::finish() {

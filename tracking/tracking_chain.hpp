@@ -65,6 +65,9 @@ class TrackingChain {
   /// A scan came for which there is no time: it is counted and left out.
   void shed(const core::SonarScan& scan) { intake_.shed(scan); }
   void finish();                                         ///< There is no more data: gives what still waits.
+  /// What is known of the sensor from now on, in place of `ChainParams::sensor`. Has no effect on scans that
+  /// are tracked already: asks that there are none. @throws std::invalid_argument on params out of range.
+  void use(const core::SonarParams& sensor);
   void start_new_clock() { intake_.start_new_clock(); }  ///< What comes now is on another clock.
 
   /// From now on the newest scans are kept for `memory`.

@@ -23,6 +23,7 @@ INNER_WALLS = [
     ["csht/likelihood", "csht/joint"],
     ["csht/joint/density", "csht/joint/evidence", "csht/joint"],
     ["tracking/initiation/plots", "tracking/initiation/lines", "tracking/initiation/methods"],
+    ["tracking/detection", "tracking"],
     ["tools/cli", "tools/experiments/harness", "tools/experiments"],
 ]
 CORE_HEADER_LIBRARIES = re.compile(r"^(Eigen/|[a-z_]+$)")

@@ -177,5 +177,6 @@ void ChainNode<Chain>::save_state() {
 
 template class ChainNode<TrackingChain>;
 template class ChainNode<ImageChain>;
+template class ChainNode<DetectionChain>;
 
 }  // namespace lookout::tracking

@@ -9,6 +9,7 @@
 #include <variant>
 
 #include "core/pose_history.hpp"
+#include "tracking/detection_chain.hpp"
 #include "tracking/node/ping_node.hpp"
 #include "tracking/track_before_detect/images/image_chain.hpp"
 #include "tracking/tracking_chain.hpp"
@@ -73,8 +74,10 @@ class ChainNode {
 
 extern template class ChainNode<TrackingChain>;
 extern template class ChainNode<ImageChain>;
+extern template class ChainNode<DetectionChain>;
 
-using TrackerNode = ChainNode<TrackingChain>;    ///< On scans.
-using ImageTrackerNode = ChainNode<ImageChain>;  ///< On raw images.
+using TrackerNode = ChainNode<TrackingChain>;            ///< On scans.
+using ImageTrackerNode = ChainNode<ImageChain>;          ///< On raw images.
+using DetectionTrackerNode = ChainNode<DetectionChain>;  ///< On the returns that it finds in images.
 
 }  // namespace lookout::tracking
