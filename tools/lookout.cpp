@@ -93,6 +93,9 @@ void add_tracking(CLI::App& app, Options& options) {
   app.add_option("--estimator", options.estimator, one_of("Estimator", estimator_choices()));
   app.add_option("--tracker", options.tracker, one_of("Tracker", tracking::tracker_names()));
   add_plugin(app, options);
+  app.add_option("--input", options.input,
+                 "What is tracked: scan or image (returns are found in SONAR_IMAGE, as `detect` does)")
+      ->capture_default_str();
   app.add_option("--lag", options.lag, "Delayed output: tracks as they are known so much later [s]");
   app.add_flag("--explain", options.explain, "One line a track decision on stderr");
 }
@@ -200,6 +203,14 @@ void declare_tbd(CLI::App& app, Options& options) {
   add_seed(app, options);
 }
 
+void declare_detect(CLI::App& app, Options& options) {
+  app.add_option("INPUT", options.inputs,
+                 "Recording of images, or LCM logs in order; without one, live: SONAR_IMAGE -> SONAR_SCAN");
+  app.add_option("--out", options.out, "Recording directory to write");
+  app.add_option("--config", options.config, "Configuration YAML; its parts detect and sensor");
+  add_live(app, options);
+}
+
 void declare_initiate(CLI::App& app, Options& options) {
   app.add_option("METHOD", options.method, one_of("Initiator", tracking::initiator_names()))->required();
   app.add_option("POINTS", options.inputs, "CSV of scan,time_s,x_m,y_m")->expected(1)->required();
@@ -304,6 +315,8 @@ constexpr Command kCommands[] = {
      "lookout tbd i_h_pmht_4 tools/data/tbd_example --config tools/data/tbd_example/config.yaml --out "
      "tracks.csv",
      declare_tbd, tbd_command},
+    {"detect", "Finds returns in sonar images, one an echo, at a stated false-alarm rate: live or recorded.",
+     "lookout detect out/images --out out/returns", declare_detect, detect_command},
     {"initiate", "Starts tracks on recorded points with one initiator.",
      "lookout initiate vct points.csv --out tracks.csv --config radar.yaml", declare_initiate,
      initiate_command},

@@ -18,6 +18,15 @@ std::string estimator_beside(const std::string& tracker) {
   return tracker == "csht" ? "csht" : "joint";
 }
 constexpr const char* kImageEstimator = "h_pmht";
+const std::vector<std::string> kInputs{"scan", "image"};
+
+/// Adds those figures that a `sensor` part holds.
+void note_given(const core::YamlMap& map, tracking::GivenFigures& given) {
+  given.clutter |= map.has("clutter_per_scan") || map.has("false_alarm_probability");
+  given.range_sigma |= map.has("range_sigma");
+  given.bearing_sigma |= map.has("bearing_sigma_deg");
+  given.resolution |= map.has("resolution");
+}
 
 /// @param chosen_tracker by a flag; empty: by the file.
 void read_tracker(const core::YamlMap& map, const std::string& chosen_tracker,
@@ -44,11 +53,15 @@ void read_initiator(const core::YamlMap& map, const std::string& of_points, cons
 
 void read_configuration(const core::YamlMap& map, const std::string& chosen_tracker,
                         const std::string& initiator, Configuration& configuration) {
-  if (const auto part = map.map("sensor")) core::read_sonar_params(*part, configuration.sensor);
+  if (const auto part = map.map("sensor")) {
+    note_given(*part, configuration.given);
+    core::read_sonar_params(*part, configuration.sensor);
+  }
   if (const auto part = map.map("estimator")) csht::read_estimator_params(*part, configuration.estimator);
   if (const auto part = map.map("tracker")) read_tracker(*part, chosen_tracker, configuration.tracker);
   if (const auto part = map.map("initiator")) read_initiator(*part, initiator, chosen_tracker, configuration);
   if (const auto part = map.map("output")) tracking::read_output_params(*part, configuration.tracker);
+  if (const auto part = map.map("detect")) tracking::read_detection_params(*part, configuration.detection);
   if (const auto part = map.map("tbd")) tracking::read_tbd_params(*part, configuration.tbd);
   if (const auto part = map.map("fusion")) fusion::read_fusion_params(*part, configuration.fusion);
   map.finish();
@@ -136,6 +149,8 @@ Configuration load_configuration(const Options& options, const core::SonarParams
     read_configuration(core::YamlMap::load_file(options.config), options.tracker, initiator, configuration);
   apply_name("--estimator", options.estimator, estimator_choices(), configuration.estimator.name);
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
+  std::string input;
+  apply_name("--input", options.input, kInputs, input);
   configuration.explain = options.explain;
   configuration.lag = lag_of(options);
   if (configuration.estimator.name.empty())
@@ -143,11 +158,27 @@ Configuration load_configuration(const Options& options, const core::SonarParams
   configuration.tracker.births = configuration.initiator;
   check_lag(configuration);
   if (tracks_images(configuration)) configuration.tracker.name = kImageEstimator;
+  configuration.detects = input == "image" && !tracks_images(configuration);
   return configuration;
 }
 
 bool tracks_images(const Configuration& configuration) {
   return configuration.estimator.name == kImageEstimator;
+}
+
+bool takes_images(const Configuration& configuration) {
+  return configuration.detects || tracks_images(configuration);
+}
+
+core::SonarParams params_of_images(const core::SonarParams& known, const core::SonarParams& configured) {
+  core::SonarParams params = known;
+  params.miss_probability = configured.miss_probability;
+  params.false_alarm_probability = configured.false_alarm_probability;
+  params.clutter_per_scan = configured.clutter_per_scan;
+  params.range_sigma = configured.range_sigma;
+  params.bearing_sigma = configured.bearing_sigma;
+  params.resolution = configured.resolution;
+  return params;
 }
 
 void refuse_idle_choices(const Options& options, const Configuration& configuration) {

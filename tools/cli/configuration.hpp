@@ -8,6 +8,7 @@
 #include "csht/estimator_registry.hpp"
 #include "fusion/fusion_params.hpp"
 #include "tools/cli/options.hpp"
+#include "tracking/detection_chain.hpp"
 #include "tracking/track_before_detect/frames/frame_tracker_registry.hpp"
 #include "tracking/tracker_registry.hpp"
 
@@ -19,6 +20,9 @@ struct Configuration {
   csht::EstimatorParams estimator;
   tracking::TrackerParams tracker;
   tracking::TbdParams tbd;
+  tracking::DetectionParams detection;
+  tracking::GivenFigures given;  ///< Which figures the `sensor` part gives, beyond what is known beforehand.
+  bool detects = false;          ///< Returns come from images, by `detection`: --input image.
   tracking::InitiatorConfig initiator;
   bool explain = false;  ///< Log every track decision.
   std::int64_t lag = 0;  ///< Delay of the output [us], in [0, tracking::ChainParams::kMaxLag].
@@ -42,5 +46,12 @@ void refuse_idle_choices(const Options& options, const Configuration& configurat
 
 /// Whether the estimator is the one that works on raw images in place of the whole chain.
 bool tracks_images(const Configuration& configuration);
+
+/// Whether what is tracked comes in images, be it as they are or through detection.
+bool takes_images(const Configuration& configuration);
+
+/// What is known of a sonar (by a scene or a recording) whose images returns are found in: P_F, P_M, errors
+/// and resolution of the returns that it makes itself say nothing of ours, and are those of `configured`.
+core::SonarParams params_of_images(const core::SonarParams& known, const core::SonarParams& configured);
 
 }  // namespace lookout::tools

@@ -14,10 +14,11 @@ struct Options {
   std::string out;                   ///< Directory or file to write.
   std::vector<std::string> plugins;  ///< Shared libraries that were loaded, as they were named.
   std::uint64_t seed = 1;
-  std::string config;         ///< Configuration YAML.
-  std::string estimator;      ///< Registry name; empty: the configuration's, else the default.
-  std::string tracker;        ///< Registry name; empty: the configuration's, else the default.
-  std::optional<double> lag;  ///< Delayed output [s].
+  std::string config;          ///< Configuration YAML.
+  std::string input = "scan";  ///< What is tracked: scan or image.
+  std::string estimator;       ///< Registry name; empty: the configuration's, else the default.
+  std::string tracker;         ///< Registry name; empty: the configuration's, else the default.
+  std::optional<double> lag;   ///< Delayed output [s].
   bool explain = false;
   bool unknown_sensor = false;  ///< `run` keeps the scene's sensor figures from the tracker.
   bool publish_estimates = false;

@@ -1,6 +1,7 @@
 #include "tools/cli/recorded_chain.hpp"
 
 #include <cstdio>
+#include <utility>
 
 #include "tools/cli/log.hpp"
 
@@ -41,6 +42,13 @@ RecordedChain::RecordedChain(const Configuration& configuration, std::uint64_t s
           chain_params(configuration, seed),
           [this](const tracking::PingResult& result) { output_.add(result); },
           [](const std::string& line) { log_warning(line); }) {}
+
+RecordedDetectionChain::RecordedDetectionChain(const Configuration& configuration, std::uint64_t seed,
+                                               tracking::DetectionChain::OnScan on_scan)
+    : chain_(
+          configuration.detection, chain_params(configuration, seed), configuration.given,
+          [this](const tracking::PingResult& result) { output_.add(result); },
+          [](const std::string& line) { log_warning(line); }, std::move(on_scan)) {}
 
 RecordedImageChain::RecordedImageChain(const Configuration& configuration)
     : chain_(

@@ -5,6 +5,7 @@
 
 #include "core/files/recording.hpp"
 #include "tools/cli/configuration.hpp"
+#include "tracking/detection_chain.hpp"
 #include "tracking/track_before_detect/images/image_chain.hpp"
 #include "tracking/tracking_chain.hpp"
 
@@ -38,6 +39,27 @@ class RecordedChain {
  private:
   ChainOutput output_;
   tracking::TrackingChain chain_;
+};
+
+/// The same for images whose returns are found first.
+class RecordedDetectionChain {
+ public:
+  /// @param on_scan receives each scan that was made of an image.
+  RecordedDetectionChain(const Configuration& configuration, std::uint64_t seed,
+                         tracking::DetectionChain::OnScan on_scan);
+
+  void add(const core::VehicleState& state) { chain_.add(state); }
+  void add(const core::SonarImage& image) { chain_.add(image); }
+  void finish() { chain_.finish(); }
+  void start_new_clock() { chain_.start_new_clock(); }
+
+  const ChainOutput& output() const { return output_; }
+  const tracking::IntakeCounts& counts() const { return chain_.counts(); }
+  const core::SonarParams& sensor() const { return chain_.sensor(); }
+
+ private:
+  ChainOutput output_;
+  tracking::DetectionChain chain_;
 };
 
 /// The same for raw images and track-before-detect.

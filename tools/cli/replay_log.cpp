@@ -1,7 +1,9 @@
 #include "tools/cli/replay_log.hpp"
 
 #include <algorithm>
+#include <functional>
 
+#include "core/field_of_view.hpp"
 #include "core/input_error.hpp"
 #include "lcmtypes/channels.hpp"
 #include "lcmtypes/inbox.hpp"
@@ -58,6 +60,9 @@ class LogReplay {
     });
   }
 
+  /// Records a scan that was made of an image.
+  void keep(const core::SonarScan& scan) { recorder_.add(scan); }
+
   TrackedRun run(const std::vector<std::string>& files) {
     for (const auto& file : files) {
       lcmtypes::LogReader log(file);
@@ -87,6 +92,21 @@ class LogReplay {
   LogFigures& figures_;
   lcmtypes::Inbox inbox_;
 };
+
+/// Returns are found in the images, and tracked; scans beside them are left.
+TrackedRun replay_detected(const std::vector<std::string>& files, const lcmtypes::Channels& channels,
+                           const Configuration& configuration, std::uint64_t seed, LogFigures& figures,
+                           const std::string& images_out) {
+  std::function<void(const core::SonarScan&)> keep;
+  RecordedDetectionChain chain(configuration, seed, [&keep](const core::SonarScan& scan) { keep(scan); });
+  LogReplay replay(channels, chain, configuration.sensor, figures, images_out);
+  keep = [&replay](const core::SonarScan& scan) { replay.keep(scan); };
+  replay.take_images(true);
+  TrackedRun run = replay.run(files);
+  if (!run.recording.scans.empty())
+    run.recording.params = core::with_geometry_of(run.recording.scans.front(), chain.sensor());
+  return run;
+}
 
 /// Images are tracked; scans beside them are kept in the recording alone.
 TrackedRun replay_images(const std::vector<std::string>& files, const lcmtypes::Channels& channels,
@@ -134,11 +154,29 @@ TrackedRun replay_log(const std::vector<std::string>& files, const std::string& 
                       const std::string& images_out) {
   const lcmtypes::Channels channels(channel_prefix);
   figures.survey = survey_log(files);
-  const bool images = tracks_images(configuration);
-  TrackedRun run = images ? replay_images(files, channels, configuration, figures, images_out)
-                          : replay_scans(files, channels, configuration, seed, figures, images_out);
-  require_pings(files.front(), images ? channels.sonar_image() : channels.sonar_scan(), figures);
+  TrackedRun run = configuration.detects
+                       ? replay_detected(files, channels, configuration, seed, figures, images_out)
+                   : tracks_images(configuration)
+                       ? replay_images(files, channels, configuration, figures, images_out)
+                       : replay_scans(files, channels, configuration, seed, figures, images_out);
+  require_pings(files.front(), takes_images(configuration) ? channels.sonar_image() : channels.sonar_scan(),
+                figures);
   return run;
+}
+
+core::Recording detect_log(const std::vector<std::string>& files, const std::string& channel_prefix,
+                           FoundReturns& found) {
+  const lcmtypes::Channels channels(channel_prefix);
+  LogFigures figures;
+  figures.survey = survey_log(files);
+  LogReplay replay(channels, found, core::SonarParams{}, figures, "");
+  found.give_to([&replay](const core::SonarScan& scan) { replay.keep(scan); });
+  replay.take_images(true);
+  core::Recording recording = replay.run(files).recording;
+  recording.params.reset();
+  found.give_to({});
+  require_pings(files.front(), channels.sonar_image(), figures);
+  return recording;
 }
 
 std::optional<std::int64_t> first_difference(const std::vector<core::TrackList>& a,

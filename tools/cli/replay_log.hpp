@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lcmtypes/inbox.hpp"
+#include "tools/cli/found_returns.hpp"
 #include "tools/cli/log_survey.hpp"
 #include "tools/cli/tracked_run.hpp"
 
@@ -29,6 +30,11 @@ struct LogFigures {
 TrackedRun replay_log(const std::vector<std::string>& files, const std::string& channel_prefix,
                       const Configuration& configuration, std::uint64_t seed, LogFigures& figures,
                       const std::string& images_out = {});
+
+/// Takes the images of a log's files through detection. @return the scans with the log's vehicle states and
+/// truth, as `Recorder` keeps them. @throws core::InputError as `replay_log`.
+core::Recording detect_log(const std::vector<std::string>& files, const std::string& channel_prefix,
+                           FoundReturns& found);
 
 /// The first time [us] at which two runs' tracks differ in anything that tracks.csv holds; nothing where they
 /// are equal as far as both go.

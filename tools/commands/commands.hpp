@@ -17,6 +17,7 @@ int score_command(const Options& options);
 int replay_command(const Options& options);
 int ospa_command(const Options& options);
 int tbd_command(const Options& options);
+int detect_command(const Options& options);
 int experiment_command(const Options& options);
 int initiate_command(const Options& options);
 int import_command(const Options& options);

@@ -54,8 +54,16 @@ TrackedRun replay_recording(const std::string& directory, Configuration& configu
   return run;
 }
 
-/// The images of a recording through the tracker of images.
-TrackedRun replay_images(const std::string& directory, Configuration& configuration) {
+template <class Chain>
+void through(Chain& chain, const core::ImageReader& images, TrackedRun& run) {
+  feed_images(chain, run.recording, images);
+  chain.finish();
+  run.output = chain.output();
+  run.counts = chain.counts();
+}
+
+/// The images of a recording through the tracker of images, or through detection and a tracker of returns.
+TrackedRun replay_images(const std::string& directory, Configuration& configuration, std::uint64_t seed) {
   TrackedRun run;
   run.recording = core::read_recording(directory, configuration.sensor);
   const core::ImageReader images(directory);
@@ -64,24 +72,29 @@ TrackedRun replay_images(const std::string& directory, Configuration& configurat
   for (std::size_t i = 0; i < images.size(); ++i) times.push_back(images.utime(i));
   if (run.recording.new_clocks.empty())
     require_one_clock(times_of(run.recording.truth), times, directory + "/truth.csv");
+  if (configuration.detects) {
+    if (run.recording.params)
+      configuration.sensor = params_of_images(*run.recording.params, configuration.sensor);
+    RecordedDetectionChain chain(configuration, seed, {});
+    through(chain, images, run);
+    return run;
+  }
   if (run.recording.params) configuration.sensor = *run.recording.params;
   RecordedImageChain chain(configuration);
-  feed_images(chain, run.recording, images);
-  chain.finish();
-  run.output = chain.output();
-  run.counts = chain.counts();
+  through(chain, images, run);
   return run;
 }
 
 /// @throws core::InputError where the directory does not hold the pings that the configuration tracks.
 void require_pings(const std::string& directory, const Configuration& configuration) {
   const bool images = core::holds_images(directory);
-  if (tracks_images(configuration) && !images)
+  if (takes_images(configuration) && !images)
+    throw core::InputError(directory + ": holds no images.csv, which " +
+                           (configuration.detects ? "--input image" : "--estimator h_pmht") +
+                           " needs; expected a recording " + "of images, or an LCM log with SONAR_IMAGE");
+  if (!takes_images(configuration) && images && !std::filesystem::exists(directory + "/scans.csv"))
     throw core::InputError(directory +
-                           ": holds no images.csv, which --estimator h_pmht needs; expected a recording " +
-                           "of images, or an LCM log with SONAR_IMAGE");
-  if (!tracks_images(configuration) && images && !std::filesystem::exists(directory + "/scans.csv"))
-    throw core::InputError(directory + ": holds images and no scans.csv; expected --estimator h_pmht");
+                           ": holds images and no scans.csv; expected --input image, or --estimator h_pmht");
 }
 
 /// What a person should know of a log: what it holds, and every message that was not used.
@@ -162,8 +175,8 @@ int replay_command(const Options& options) {
     throw core::InputError("--out: is the recording itself, expected another directory");
   make_directory(options.out);
   TrackedRun run = !is_directory ? replay_and_unpack_log(log_files(inputs), configuration, options)
-                   : tracks_images(configuration) ? replay_images(input, configuration)
-                                                  : replay_recording(input, configuration, options.seed);
+                   : takes_images(configuration) ? replay_images(input, configuration, options.seed)
+                                                 : replay_recording(input, configuration, options.seed);
   leave_out_truth_of_several_clocks(run);
   write_tracked_run(options.out, run, configuration, options);
   return 0;

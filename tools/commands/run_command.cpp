@@ -17,6 +17,10 @@
 namespace lookout::tools {
 namespace {
 
+// Half-power extents of a point's echo: of a Gaussian pulse in sigmas, 2 sqrt(ln 2); of a beam in first
+// nulls, where sinc(u)^2 and, with a Hann taper, (sinc(2u) / (1 - 4u^2))^2 are one half.
+constexpr double kPulseLength = 1.6651, kLineWidth = 0.8859, kTaperedWidth = 0.7203;
+
 /// What the tracker is told: the scene's figures and over them what the configuration says; with
 /// --unknown-sensor the configuration alone. The geometry is always that of the scans.
 core::SonarParams told_params(const sonar_sim::Scene& scene, const sonar_sim::PlatformPlan& platform,
@@ -52,13 +56,23 @@ void feed(RecordedImageChain& chain, const sonar_sim::SimulatedScan& simulated) 
   chain.add(*simulated.image);
 }
 
+void feed(RecordedDetectionChain& chain, const sonar_sim::SimulatedScan& simulated) {
+  chain.add(*simulated.image);
+}
+
+/// Pulse and beam as the scene has them: what an instrument's data sheet says.
+void tell_echo(const sonar_sim::ImagePlan& plan, tracking::EchoParams& echo) {
+  if (!echo.pulse_length) echo.pulse_length = kPulseLength * plan.pulse_sigma;
+  if (!echo.beam_width) echo.beam_width = (plan.tapered ? kTaperedWidth : kLineWidth) * plan.beam_null;
+}
+
+/// @param recorder of the scans: the sonar's own unless the chain makes them of images.
 template <class Chain>
 TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
                        const sonar_sim::PlatformPlan& seen, const Configuration& configuration,
-                       const std::string& directory) {
+                       const std::string& directory, Recorder& recorder) {
   TrackedRun run;
   ImageKeeper images(directory);
-  Recorder recorder(configuration.sensor);
   std::size_t done = 0;
   ProgressBar bar(static_cast<std::size_t>(num_scans(simulator.scene(), seen.sonar)));
   const auto add = [&](const std::vector<core::VehicleState>& states) {
@@ -69,7 +83,7 @@ TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
     if (simulated->scan.sensor_id == *seen.sonar.sensor_id) {
       if (simulated->image) images.add(*simulated->image);
       feed(chain, *simulated);
-      recorder.add(simulated->scan);
+      if (!configuration.detects) recorder.add(simulated->scan);
       recorder.add(truth_in_view(*simulated, seen.sonar));
       bar.show(++done);
     }
@@ -84,21 +98,39 @@ TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
   return run;
 }
 
+/// The images through detection, whose scans are the recording's.
+TrackedRun run_detected(sonar_sim::SonarSimulator& simulator, const sonar_sim::PlatformPlan& seen,
+                        const std::string& directory, Configuration configuration, const Options& options) {
+  if (!options.unknown_sensor) tell_echo(*simulator.platform().image, configuration.detection.echo);
+  Recorder scans(configuration.sensor);
+  RecordedDetectionChain chain(configuration, options.seed,
+                               [&scans](const core::SonarScan& scan) { scans.add(scan); });
+  TrackedRun run = run_through(chain, simulator, seen, configuration, directory, scans);
+  if (!run.recording.scans.empty())
+    run.recording.params = core::with_geometry_of(run.recording.scans.front(), chain.sensor());
+  return run;
+}
+
 /// @param seen the vehicle with one of its sonars alone.
 /// @param directory that its images are written to.
 TrackedRun run_sonar(const sonar_sim::Scene& scene, std::size_t index, const sonar_sim::PlatformPlan& seen,
                      const std::string& directory, const Options& options) {
   Configuration configuration = load_configuration(options);
   sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
+  const core::SonarParams configured = configuration.sensor;
   configuration.sensor = told_params(scene, seen, options);
-  if (!tracks_images(configuration)) {
+  if (configuration.detects) configuration.sensor = params_of_images(configuration.sensor, configured);
+  Recorder recorder(configuration.sensor);
+  if (!takes_images(configuration)) {
     RecordedChain chain(configuration, options.seed);
-    return run_through(chain, simulator, seen, configuration, directory);
+    return run_through(chain, simulator, seen, configuration, directory, recorder);
   }
   if (!simulator.platform().image)
-    throw core::InputError(options.inputs[0] + ": has no `image` part, which --estimator h_pmht needs");
+    throw core::InputError(options.inputs[0] + ": has no `image` part, which " +
+                           (configuration.detects ? "--input image" : "--estimator h_pmht") + " needs");
+  if (configuration.detects) return run_detected(simulator, seen, directory, configuration, options);
   RecordedImageChain chain(configuration);
-  return run_through(chain, simulator, seen, configuration, directory);
+  return run_through(chain, simulator, seen, configuration, directory, recorder);
 }
 
 /// Runs and writes each sonar of a vehicle; of several, each its own directory, for a recording holds one.
@@ -107,7 +139,7 @@ void run_platform(const sonar_sim::Scene& scene, std::size_t index, const std::s
   const sonar_sim::PlatformPlan& platform = scene.platforms[index];
   const auto sonars = all_sonars(platform);
   for (std::size_t i = 0; i < sonars.size(); ++i) {
-    if (i > 0 && tracks_images(configuration)) break;  // Images are the first sonar's.
+    if (i > 0 && takes_images(configuration)) break;  // Images are the first sonar's.
     sonar_sim::PlatformPlan seen = platform;
     seen.sonar = *sonars[i];
     seen.further_sonars.clear();

@@ -59,6 +59,19 @@ int track_command(const Options& options) {
     work(node, limits, options);
     return end_of_link(bus);
   }
+  if (configuration.detects) {
+    tracking::DetectionTrackerNode node(
+        bus, params,
+        [&configuration, chain = chain_params(configuration, options.seed)](auto on_result, auto report) {
+          return std::make_unique<tracking::DetectionChain>(
+              configuration.detection, chain, configuration.given, std::move(on_result), std::move(report));
+        },
+        warn);
+    log_info("track: " + configuration.detection.reference.method + " on SONAR_IMAGE, tracker " +
+             configuration.tracker.name + ", seed " + std::to_string(options.seed));
+    work(node, limits, options);
+    return end_of_link(bus);
+  }
   tracking::TrackerNode node(
       bus, params,
       [chain = chain_params(configuration, options.seed)](auto on_result, auto report) {
