@@ -74,15 +74,30 @@ void describe_names(CLI::App& app) {
 }
 
 /// Plug-ins are loaded while the flags are read, so that help and errors know their names.
-void add_plugin(CLI::App& app) {
-  const auto load = [&app](const std::vector<std::string>& files) {
+void add_plugin(CLI::App& app, Options& options) {
+  const auto load = [&app, &options](const std::vector<std::string>& files) {
     for (const auto& file : files) load_plugin(file);
+    options.plugins.insert(options.plugins.end(), files.begin(), files.end());
     describe_names(app);
   };
   app.add_option_function<std::vector<std::string>>(
-         "--plugin", load, "Shared library with estimators and initiators of your own; may be repeated")
+         "--plugin", load,
+         "Shared library with estimators and initiators of your own; may be repeated")
       ->type_name("FILE.so")
       ->allow_extra_args(false);
+}
+
+/// How many runs, on how many threads, and which part of them.
+void add_monte_carlo(CLI::App& app, Options& options) {
+  app.add_option("--runs", options.runs, "Monte Carlo runs a cell")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--jobs", options.jobs, "Threads; 0 takes all cores")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  app.add_flag("--resume", options.resume, "Go on where an interrupted one stopped");
+  app.add_option("--shard", options.shard,
+                 "K/N: do this part of the runs alone; `lookout merge` joins the parts");
 }
 
 // The flags of each command.
@@ -91,7 +106,7 @@ void add_tracking(CLI::App& app, Options& options) {
   app.add_option("--config", options.config, "Configuration YAML");
   app.add_option("--estimator", options.estimator, one_of("Estimator", estimator_choices()));
   app.add_option("--tracker", options.tracker, one_of("Tracker", tracking::tracker_names()));
-  add_plugin(app);
+  add_plugin(app, options);
   app.add_option("--lag", options.lag, "Delayed output: tracks as they are known so much later [s]");
   app.add_flag("--explain", options.explain, "One line a track decision on stderr");
 }
@@ -153,7 +168,9 @@ void declare_score(CLI::App& app, Options& options) {
 }
 
 void declare_replay(CLI::App& app, Options& options) {
-  app.add_option("INPUT", options.inputs, "Recording directory, or LCM logs in order")->expected(1, -1)->required();
+  app.add_option("INPUT", options.inputs, "Recording directory, or LCM logs in order")
+      ->expected(1, -1)
+      ->required();
   add_out(app, options);
   add_seed(app, options);
   add_tracking(app, options);
@@ -199,7 +216,7 @@ void declare_initiate(CLI::App& app, Options& options) {
   app.add_option("POINTS", options.inputs, "CSV of scan,time_s,x_m,y_m")->expected(1)->required();
   app.add_option("--out", options.out, "TRACKS.csv to write");
   app.add_option("--config", options.config, "Configuration YAML; its `initiator:` part is used");
-  add_plugin(app);
+  add_plugin(app, options);
 }
 
 void declare_experiment(CLI::App& app, Options& options) {
@@ -207,16 +224,17 @@ void declare_experiment(CLI::App& app, Options& options) {
   add_out(app, options);
   add_seed(app, options);
   app.add_flag("--list", options.list, "Name the experiments and stop");
-  app.add_option("--runs", options.runs, "Monte Carlo runs a cell")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000000));
-  app.add_option("--jobs", options.jobs, "Threads; 0 takes all cores")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
+  add_monte_carlo(app, options);
   app.add_option("--only", options.only, "KEY=VALUE: only the cells with it; may be repeated")
       ->allow_extra_args(false);
-  app.add_flag("--resume", options.resume, "Go on where an interrupted experiment stopped");
-  add_plugin(app);
+  add_plugin(app, options);
+}
+
+void declare_merge(CLI::App& app, Options& options) {
+  app.add_option("DIR", options.inputs, "Directories that --shard K/N wrote, in any order")
+      ->expected(1, -1)
+      ->required();
+  add_out(app, options);
 }
 
 void declare_watch(CLI::App& app, Options& options) {
@@ -277,6 +295,9 @@ constexpr Command kCommands[] = {
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
      "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
      experiment_command},
+    {"merge",
+     "Joins the shards of an experiment into one result, as if one machine had done all.",
+     "lookout merge shards/* --out out/window", declare_merge, merge_command},
     {"watch", "Shows what the sonar hears and the tracker believes, live or out of a log, in a browser.",
      "lookout watch --http 8080", declare_watch, watch_command},
     {"status", "Shows in a terminal whether the chain is healthy, and why not.", "lookout status --once",

@@ -45,6 +45,8 @@ struct Options {
   int jobs = 0;  ///< Threads; 0: all cores.
   std::vector<std::string> only;
   bool resume = false;
+  std::string shard;                    ///< K/N: this part of the runs; empty: all.
+  std::vector<std::string> plugins;  ///< Files of --plugin, loaded while the flags are read.
   bool list = false;
   std::string http = "8080";  ///< PORT or ADDRESS:PORT of `watch`.
   std::string decisions;      ///< File of a tracker's --explain lines, for `watch`.

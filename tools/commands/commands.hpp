@@ -15,6 +15,7 @@ int replay_command(const Options& options);
 int ospa_command(const Options& options);
 int tbd_command(const Options& options);
 int experiment_command(const Options& options);
+int merge_command(const Options& options);
 int initiate_command(const Options& options);
 int watch_command(const Options& options);
 int status_command(const Options& options);

@@ -3,7 +3,9 @@
 #include "core/input_error.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/cli/paths.hpp"
+#include "tools/cli/plugin.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/commands/finish.hpp"
 #include "tools/experiments/experiment_registry.hpp"
 #include "tools/experiments/harness/monte_carlo.hpp"
 #include "tools/experiments/harness/report.hpp"
@@ -25,7 +27,16 @@ MonteCarloOptions monte_carlo_options(const Options& options) {
   result.only = parse_filters(options.only);
   result.progress_file = options.out + "/runs.jsonl";
   result.resume = options.resume;
+  result.shard = parse_shard(options.shard);
+  result.plugins = options.plugins;
   return result;
+}
+
+void report(const Experiment& experiment, const ExperimentResults& results, const std::string& out) {
+  write_results(experiment, results, out);
+  log_info("wrote " + out + "/results.json, results.csv and report.md");
+  experiment.write_extras(results.seed, out);
+  if (!experiment.plot_script().empty()) run_plot_script(experiment.plot_script(), {out});
 }
 
 }  // namespace
@@ -39,14 +50,29 @@ int experiment_command(const Options& options) {
     log_warning(options.method + " skipped: " + missing);
     return 0;
   }
+  const MonteCarloOptions monte_carlo = monte_carlo_options(options);
   make_directory(options.out);
-  const ExperimentResults results =
-      run_monte_carlo(*experiment, options.method, monte_carlo_options(options));
-  write_results(*experiment, results, options.out);
-  log_info("wrote " + options.out + "/results.json, results.csv and report.md");
-  experiment->write_extras(options.seed, options.out);
-  if (!experiment->plot_script().empty()) run_plot_script(experiment->plot_script(), {options.out});
+  const ExperimentResults results = run_monte_carlo(*experiment, options.method, monte_carlo);
+  if (monte_carlo.shard.is_whole())
+    report(*experiment, results, options.out);
+  else
+    log_info("shard " + monte_carlo.shard.text() + " is in " + options.out + ": `lookout merge` joins all");
   return 0;
+}
+
+void finish_experiment(const Study& study, const std::string& out) {
+  Options options;
+  options.seed = study.seed;
+  options.runs = study.runs;
+  options.out = out;
+  options.resume = true;
+  if (const auto only = study.words.find("only"); only != study.words.end()) options.only = only->second;
+  for (const auto& [file, digest] : study.inputs) {
+    load_plugin(file);
+    options.plugins.push_back(file);
+  }
+  const auto experiment = make_experiment(study.name);
+  report(*experiment, run_monte_carlo(*experiment, study.name, monte_carlo_options(options)), out);
 }
 
 }  // namespace lookout::tools
