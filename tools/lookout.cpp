@@ -70,6 +70,7 @@ void describe_names(CLI::App& app) {
     if (auto* found = app.get_option_no_throw(option)) found->description(text);
   };
   describe("--estimator", one_of("Estimator", estimator_choices()));
+  describe("--tracker", one_of("Tracker", tracking::tracker_names()));
   describe("METHOD", one_of("Initiator", tracking::initiator_names()));
 }
 
@@ -82,7 +83,7 @@ void add_plugin(CLI::App& app, Options& options) {
   };
   app.add_option_function<std::vector<std::string>>(
          "--plugin", load,
-         "Shared library with estimators and initiators of your own; may be repeated")
+         "Shared library with estimators, trackers and initiators of your own; may be repeated")
       ->type_name("FILE.so")
       ->allow_extra_args(false);
 }
