@@ -38,6 +38,11 @@ std::string experiment_choices() {
   return one_of("Which experiment", names);
 }
 
+std::string method_choices() {
+  return one_of("TRACKER, TRACKER:ESTIMATOR or LABEL=CONFIG.yaml; once for each. Trackers",
+                tracking::tracker_names());
+}
+
 /// The release, and the commit where it is known.
 std::string version_line() {
   const std::string commit = version();
@@ -71,6 +76,7 @@ void describe_names(CLI::App& app) {
   };
   describe("--estimator", one_of("Estimator", estimator_choices()));
   describe("--tracker", one_of("Tracker", tracking::tracker_names()));
+  describe("--method", method_choices());
   describe("METHOD", one_of("Initiator", tracking::initiator_names()));
 }
 
@@ -231,6 +237,44 @@ void declare_experiment(CLI::App& app, Options& options) {
   add_plugin(app, options);
 }
 
+/// What `compare` and `tune` are measured with.
+void add_comparing(CLI::App& app, Options& options) {
+  app.add_flag("--unknown-sensor", options.unknown_sensor,
+               "Keep the scenes' sensor figures from the trackers: they know what the configuration says");
+  add_scoring(app, options);
+  app.add_option("--window", options.window, "How far OSPA(2) looks back [s] (default: 10)");
+  app.add_option(
+      "--switch-penalty", options.switch_penalty,
+      "Of trajectory GOSPA: price of a target's change of track [m] (default: a tenth of the cut-off)");
+}
+
+void declare_tune(CLI::App& app, Options& options) {
+  app.add_option("SCENE", options.inputs, "Scene YAML")->expected(1)->required();
+  app.add_option(
+         "--parameter", options.parameters,
+         "KEY=FROM:TO or KEY=FROM:TO:COUNT (7): a parameter of the tracker, as docs/parameters.md names it")
+      ->allow_extra_args(false);
+  add_out(app, options);
+  add_seed(app, options);
+  add_monte_carlo(app, options);
+  app.add_option("--config", options.config, "Configuration YAML");
+  app.add_option("--estimator", options.estimator, one_of("Estimator", estimator_choices()));
+  app.add_option("--tracker", options.tracker, one_of("Tracker", tracking::tracker_names()));
+  add_plugin(app, options);
+  add_comparing(app, options);
+}
+
+void declare_compare(CLI::App& app, Options& options) {
+  app.add_option("SCENE", options.inputs, "Scene YAMLs")->expected(1, -1)->required();
+  app.add_option("--method", options.methods, method_choices())->allow_extra_args(false);
+  add_out(app, options);
+  add_seed(app, options);
+  add_monte_carlo(app, options);
+  app.add_option("--config", options.config, "Configuration YAML of the methods that have none of their own");
+  add_plugin(app, options);
+  add_comparing(app, options);
+}
+
 void declare_merge(CLI::App& app, Options& options) {
   app.add_option("DIR", options.inputs, "Directories that --shard K/N wrote, in any order")
       ->expected(1, -1)
@@ -296,8 +340,15 @@ constexpr Command kCommands[] = {
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
      "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
      experiment_command},
+    {"compare", "Runs trackers on scenes of your own with common seeds: curves, tests, tables, a report.",
+     "lookout compare tools/scenarios/crossing.yaml --method joint --method gnn --runs 50 --out out/compare",
+     declare_compare, compare_command},
+    {"tune", "Sweeps one parameter of a tracker over a scene with common seeds, and plots what it does.",
+     "lookout tune tools/scenarios/crossing.yaml --parameter joint.birth.begin_nats=8:14 --runs 20 --out "
+     "out/tune",
+     declare_tune, tune_command},
     {"merge",
-     "Joins the shards of an experiment into one result, as if one machine had done all.",
+     "Joins the shards of an experiment or a comparison into one result, as if one machine had done all.",
      "lookout merge shards/* --out out/window", declare_merge, merge_command},
     {"watch", "Shows what the sonar hears and the tracker believes, live or out of a log, in a browser.",
      "lookout watch --http 8080", declare_watch, watch_command},

@@ -9,8 +9,8 @@ namespace lookout::tests {
 namespace {
 
 TEST(CommandLine, HelpShowsAnExampleFirst) {
-  for (const std::string command :
-       {"run", "sim", "track", "score", "replay", "ospa", "experiment", "merge", "watch", "status", "plot"}) {
+  for (const std::string command : {"run", "sim", "track", "score", "replay", "ospa", "experiment", "compare",
+                                    "merge", "watch", "status", "plot"}) {
     const auto result = run_lookout(command + " --help");
     EXPECT_EQ(result.status, 0);
     EXPECT_TRUE(result.out.starts_with("Example:\n  lookout " + command)) << result.out;
@@ -40,7 +40,8 @@ TEST(CommandLine, BadUsageIsStatusTwoAndOneLine) {
   for (const std::string arguments :
        {"", "fly", "ospa", "experiment --runs 0", "experiment --runs many", "run --xyz",
         "experiment csht-window --out /tmp/x --shard 3/2", "merge /no/such --out /tmp/x",
-        "compare tools/scenarios/crossing.yaml --method jont --out /tmp/x",
+        "compare /no/such.yaml", "compare tools/scenarios/crossing.yaml --method jont --out /tmp/x",
+        "compare tools/scenarios/crossing.yaml --method gnn --window 0 --out /tmp/x",
         "watch --http 70000 --lcm-url memq://", "watch /no/such/log",
         "watch --decisions /no/such/file --lcm-url memq://", "status --once --lcm-url nonsense",
         "status --channel-prefix a+b", "status --duration 0", "plot", "plot /no/such"}) {

@@ -15,6 +15,8 @@ int replay_command(const Options& options);
 int ospa_command(const Options& options);
 int tbd_command(const Options& options);
 int experiment_command(const Options& options);
+int compare_command(const Options& options);
+int tune_command(const Options& options);
 int merge_command(const Options& options);
 int initiate_command(const Options& options);
 int watch_command(const Options& options);

@@ -3,48 +3,21 @@
 #include <utility>
 #include <vector>
 
-#include "core/field_of_view.hpp"
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/progress_bar.hpp"
 #include "tools/cli/recorder.hpp"
 #include "tools/cli/scoring.hpp"
+#include "tools/cli/sonar_views.hpp"
 #include "tools/cli/tracked_run.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace lookout::tools {
 namespace {
 
-/// What the tracker is told: the scene's figures and over them what the configuration says; with
-/// --unknown-sensor the configuration alone. The geometry is always that of the scans.
-core::SonarParams told_params(const sonar_sim::Scene& scene, const sonar_sim::PlatformPlan& platform,
-                              const Options& options) {
-  const core::SonarParams known =
-      options.unknown_sensor ? core::SonarParams{} : sonar_sim::known_params(scene, platform);
-  const core::SonarParams& plan = platform.sonar.params;
-  core::SonarParams told = load_configuration(options, known).sensor;
-  told.num_beams = plan.num_beams;
-  told.first_bearing = plan.first_bearing;
-  told.bearing_step = plan.bearing_step;
-  told.max_range = plan.max_range;
-  told.T_body_sonar = plan.T_body_sonar;
-  told.scan_period = plan.scan_period;
-  return told;
-}
-
 void feed(RecordedChain& chain, const sonar_sim::SimulatedScan& simulated) {
   chain.add(simulated.scan);
-}
-
-/// The truth as this sonar alone sees it.
-core::GroundTruth truth_in_view(const sonar_sim::SimulatedScan& simulated,
-                                const sonar_sim::SonarPlan& sonar) {
-  const core::SonarParams params = core::with_geometry_of(simulated.scan, sonar.params);
-  core::GroundTruth truth = simulated.truth;
-  for (auto& target : truth.targets)
-    target.visible = core::observe(params, simulated.T_earth_sonar, target.position).visible();
-  return truth;
 }
 
 void feed(RecordedImageChain& chain, const sonar_sim::SimulatedScan& simulated) {
@@ -79,39 +52,18 @@ TrackedRun run_through(Chain& chain, sonar_sim::SonarSimulator& simulator,
   return run;
 }
 
-/// @param seen the vehicle with one of its sonars alone.
-TrackedRun run_sonar(const sonar_sim::Scene& scene, std::size_t index, const sonar_sim::PlatformPlan& seen,
-                     Configuration configuration, const Options& options) {
-  sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
-  configuration.sensor = told_params(scene, seen, options);
+TrackedRun run_sonar(const sonar_sim::Scene& scene, const SonarView& view, Configuration configuration,
+                     const Options& options) {
+  sonar_sim::SonarSimulator simulator(scene, options.seed, 0, view.platform);
+  configuration.sensor = told_params(scene, view.seen, options);
   if (!tracks_images(configuration)) {
     RecordedChain chain(configuration, options.seed);
-    return run_through(chain, simulator, seen, configuration);
+    return run_through(chain, simulator, view.seen, configuration);
   }
   if (!simulator.platform().image)
     throw core::InputError(options.inputs[0] + ": has no `image` part, which --estimator h_pmht needs");
   RecordedImageChain chain(configuration);
-  return run_through(chain, simulator, seen, configuration);
-}
-
-/// Runs and writes each sonar of a vehicle; of several, each its own directory, for a recording holds one.
-void run_platform(const sonar_sim::Scene& scene, std::size_t index, const std::string& directory,
-                  const Configuration& configuration, const Options& options) {
-  const sonar_sim::PlatformPlan& platform = scene.platforms[index];
-  const auto sonars = all_sonars(platform);
-  for (std::size_t i = 0; i < sonars.size(); ++i) {
-    if (i > 0 && tracks_images(configuration)) break;  // Images are the first sonar's.
-    sonar_sim::PlatformPlan seen = platform;
-    seen.sonar = *sonars[i];
-    seen.further_sonars.clear();
-    seen.sonar.sensor_id = sonars[i]->sensor_id.value_or(platform.node_id + static_cast<std::int32_t>(i));
-    const std::string own =
-        sonars.size() == 1 ? directory : directory + "/sonar" + std::to_string(*seen.sonar.sensor_id);
-    make_directory(own);
-    const TrackedRun run = run_sonar(scene, index, seen, configuration, options);
-    core::write_recording(own, run.recording);
-    write_tracked_run(own, run, configuration, options);
-  }
+  return run_through(chain, simulator, view.seen, configuration);
 }
 
 }  // namespace
@@ -123,12 +75,13 @@ int run_command(const Options& options) {
   const Configuration configuration = load_configuration(options);
   refuse_idle_choices(options, configuration);
   make_scorer(options);  // a bad flag stops here, before the work
-  for (std::size_t index = 0; index < scene.platforms.size(); ++index) {
-    const bool alone = scene.platforms.size() == 1;
-    const std::string directory =
-        alone ? options.out : options.out + "/node" + std::to_string(scene.platforms[index].node_id);
+  // Of several sonars each has its own directory, for a recording holds one; images are the first sonar's.
+  for (const SonarView& view : sonar_views(scene, tracks_images(configuration))) {
+    const std::string directory = options.out + view.folder;
     make_directory(directory);
-    run_platform(scene, index, directory, configuration, options);
+    const TrackedRun run = run_sonar(scene, view, configuration, options);
+    core::write_recording(directory, run.recording);
+    write_tracked_run(directory, run, configuration, options);
   }
   return 0;
 }
