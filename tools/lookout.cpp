@@ -188,7 +188,14 @@ void declare_replay(CLI::App& app, Options& options) {
 }
 
 void declare_ospa(CLI::App& app, Options& options) {
-  app.add_option("FILES", options.inputs, "TRUTH.csv and ESTIMATE.csv")->expected(2)->required();
+  app.add_option(
+         "FILES", options.inputs,
+         "TRUTH.csv and ESTIMATE.csv, or two directories whose files of one name are pairs. Columns: time_s, "
+         "north_m, east_m; and where present id (ospa2 and tgospa need it), north_velocity_mps, "
+         "east_velocity_mps; of the truth visible (0 or 1); of the estimate status (tentative confirmed "
+         "coasting), existence")
+      ->expected(2)
+      ->required();
   add_scoring(app, options);
   app.add_option("--metric", options.metric,
                  "ospa, gospa, ospa2 (tracks over a window) or tgospa (tracks over the run)")
@@ -200,7 +207,9 @@ void declare_ospa(CLI::App& app, Options& options) {
   app.add_option("--time-tolerance", options.time_tolerance,
                  "Times that differ by no more are one [s] (default: 1e-6)");
   app.add_flag("--interpolate", options.interpolate, "Take the truth between its times on straight lines");
-  app.add_option("--over-time", options.over_time, "Also write the metric over time to this CSV");
+  app.add_option(
+      "--over-time", options.over_time,
+      "Also write the metric over time to this CSV; of directories, one a pair into this directory");
   app.add_option("--window", options.window,
                  "ospa2: how far each value looks back [s] (default: to the first time)");
   app.add_option("--switch-penalty", options.switch_penalty,
