@@ -66,6 +66,8 @@ function(lookout_parameter_fields name header user)
     COMMAND ${LOOKOUT_PYTHON} ${PROJECT_SOURCE_DIR}/cmake/parameter_fields.py ${PROJECT_SOURCE_DIR}
             ${generated}/${name}/${header} ${ARGN}
     DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/cmake/parameter_fields.py VERBATIM)
+  add_custom_target(lookout_${name}_fields DEPENDS ${generated}/${name}/${header})
+  add_dependencies(lookout_${name} lookout_${name}_fields)
   target_sources(lookout_${name} PRIVATE ${generated}/${name}/${header})
   set_source_files_properties(${user} PROPERTIES INCLUDE_DIRECTORIES ${generated})
 endfunction()
