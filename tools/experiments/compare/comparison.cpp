@@ -46,8 +46,8 @@ class CellSummary {
         sums_[curve.utime[k]].columns[column].add(curve.values[column][k]);
     }
     for (std::size_t k = 0; k < curve.utime.size(); ++k) {
-      const double pairs = curve.values[kPairs][k];
-      if (pairs > 0.0) sums_[curve.utime[k]].nees += pairs * curve.values[kNees][k];
+      const double pairs = curve.values[pairs_][k];
+      if (pairs > 0.0) sums_[curve.utime[k]].nees += pairs * curve.values[nees_][k];
       sums_[curve.utime[k]].pairs += pairs;
     }
     time_ms_.add(curve.time_ms);
@@ -59,9 +59,9 @@ class CellSummary {
       auto& points = cell_.over_time[utime];
       for (std::size_t column = 0; column < points.size(); ++column)
         points[column].mean = sum.columns[column].result();
-      points[kNees] = nees_point(sum);
+      points[nees_] = nees_point(sum);
       if (sum.pairs == 0.0) continue;
-      const auto& [mean, bounds] = points[kNees];
+      const auto& [mean, bounds] = points[nees_];
       ++times;
       within += mean.mean >= bounds.low && mean.mean <= bounds.high ? 1 : 0;
     }
@@ -82,7 +82,7 @@ class CellSummary {
             nees_bounds(sum.pairs, kNeesDimensions)};
   }
 
-  const std::size_t kNees = column_index("nees"), kPairs = column_index("nees_pairs");
+  const std::size_t nees_ = column_index("nees"), pairs_ = column_index("nees_pairs");
   double order_;
   ComparedCell cell_;
   std::map<std::int64_t, Sums> sums_;
