@@ -25,7 +25,7 @@ METHODS = ["gnn", "kalman"]
 DIMENSIONS = 4  # of a track's state
 KEYS = ("scene", "method", "run", "time_s")
 FILES = ("curves.csv", "means.csv", "results.json", "table.tex", "report.html")
-CLOSE = {"rel_tol": 1e-9, "abs_tol": 1e-9}
+CLOSE = {"rel_tol": 1e-8, "abs_tol": 1e-9}  # quantiles of two libraries agree to 2e-9
 
 
 def lookout(program, *words):
