@@ -51,6 +51,27 @@ function(lookout_library name)
   set_property(GLOBAL APPEND PROPERTY LOOKOUT_LIBRARIES lookout_${name})
 endfunction()
 
+# lookout_parameter_fields(NAME HEADER USER STRUCTS...) makes NAME/HEADER of library lookout_NAME for its source USER: the
+# fields of structs of parameters by name. See cmake/parameter_fields.py for STRUCTS.
+find_program(LOOKOUT_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+mark_as_advanced(LOOKOUT_PYTHON)
+function(lookout_parameter_fields name header user)
+  set(headers ${ARGN})
+  list(FILTER headers INCLUDE REGEX ":")
+  list(TRANSFORM headers REPLACE ":.*" "")
+  list(TRANSFORM headers PREPEND ${PROJECT_SOURCE_DIR}/)
+  set(generated ${PROJECT_BINARY_DIR}/generated)
+  file(MAKE_DIRECTORY ${generated}/${name})
+  add_custom_command(OUTPUT ${generated}/${name}/${header}
+    COMMAND ${LOOKOUT_PYTHON} ${PROJECT_SOURCE_DIR}/cmake/parameter_fields.py ${PROJECT_SOURCE_DIR}
+            ${generated}/${name}/${header} ${ARGN}
+    DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/cmake/parameter_fields.py VERBATIM)
+  add_custom_target(lookout_${name}_fields DEPENDS ${generated}/${name}/${header})
+  add_dependencies(lookout_${name} lookout_${name}_fields)
+  target_sources(lookout_${name} PRIVATE ${generated}/${name}/${header})
+  set_source_files_properties(${user} PROPERTIES INCLUDE_DIRECTORIES ${generated})
+endfunction()
+
 # lookout_tests(NAME SOURCES...) declares the test program of one folder.
 function(lookout_tests name)
   add_executable(${name}_tests ${ARGN})

@@ -10,6 +10,7 @@
 #include "csht/baselines/ransac_estimator.hpp"
 #include "csht/baselines/sht_estimator.hpp"
 #include "csht/csht_estimator.hpp"
+#include "csht/engine_fields.hpp"
 #include "csht/joint/joint_estimator.hpp"
 
 namespace lookout::csht {
@@ -39,6 +40,10 @@ std::unique_ptr<MotionEstimator> make_joint(const EstimatorParams& params, const
       params.use == EstimatorUse::window ? JointEstimatorParams::window() : JointEstimatorParams{};
   joint.window_scans = params.window_scans;
   joint.first_estimate_scans = params.first_estimate_scans;
+  core::ParameterList engine;
+  list_fields(engine, "", joint.engine);
+  for (const auto& [path, value] : params.engine)
+    if (engine.has(path)) engine.set(path, value);
   return std::make_unique<JointEstimator>(joint, sonar, seed);
 }
 

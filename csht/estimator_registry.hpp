@@ -6,12 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "core/files/parameter_list.hpp"
 #include "core/sonar_params.hpp"
 #include "csht/motion_estimator.hpp"
-
-namespace lookout::core {
-class YamlMap;
-}
 
 namespace lookout::csht {
 
@@ -29,6 +26,9 @@ struct EstimatorParams {
   /// Scans that must be in the window before anything is estimated, 3 to `window_scans`. An experiment on
   /// single windows sets it to `window_scans`, so that only the full window costs time.
   int first_estimate_scans = 3;
+  /// Values of the engine that joint shares with its tracker, by path (docs/parameters.md); those that are
+  /// the tracker's alone may be among them.
+  core::ParameterValues engine;
 };
 
 /// Reads `name`, `window_scans` and `first_estimate_scans`, and calls map.finish().

@@ -38,6 +38,11 @@ std::string experiment_choices() {
   return one_of("Which experiment", names);
 }
 
+std::string method_choices() {
+  return one_of("TRACKER, TRACKER:ESTIMATOR or LABEL=CONFIG.yaml; once for each. Trackers",
+                tracking::tracker_names());
+}
+
 /// The release, and the commit where it is known.
 std::string version_line() {
   const std::string commit = version();
@@ -70,6 +75,8 @@ void describe_names(CLI::App& app) {
     if (auto* found = app.get_option_no_throw(option)) found->description(text);
   };
   describe("--estimator", one_of("Estimator", estimator_choices()));
+  describe("--tracker", one_of("Tracker", tracking::tracker_names()));
+  describe("--method", method_choices());
   describe("METHOD", one_of("Initiator", tracking::initiator_names()));
 }
 
@@ -77,13 +84,27 @@ void describe_names(CLI::App& app) {
 void add_plugin(CLI::App& app, Options& options) {
   const auto load = [&app, &options](const std::vector<std::string>& files) {
     for (const auto& file : files) load_plugin(file);
-    options.plugins = files;
+    options.plugins.insert(options.plugins.end(), files.begin(), files.end());
     describe_names(app);
   };
   app.add_option_function<std::vector<std::string>>(
-         "--plugin", load, "Shared library with estimators and initiators of your own; may be repeated")
+         "--plugin", load,
+         "Shared library with estimators, trackers and initiators of your own; may be repeated")
       ->type_name("FILE.so")
       ->allow_extra_args(false);
+}
+
+/// How many runs, on how many threads, and which part of them.
+void add_monte_carlo(CLI::App& app, Options& options) {
+  app.add_option("--runs", options.runs, "Monte Carlo runs a cell")
+      ->capture_default_str()
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--jobs", options.jobs, "Threads; 0 takes all cores")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+  app.add_flag("--resume", options.resume, "Go on where an interrupted one stopped");
+  app.add_option("--shard", options.shard,
+                 "K/N: do this part of the runs alone; `lookout merge` joins the parts");
 }
 
 // The flags of each command.
@@ -172,7 +193,14 @@ void declare_replay(CLI::App& app, Options& options) {
 }
 
 void declare_ospa(CLI::App& app, Options& options) {
-  app.add_option("FILES", options.inputs, "TRUTH.csv and ESTIMATE.csv")->expected(2)->required();
+  app.add_option(
+         "FILES", options.inputs,
+         "TRUTH.csv and ESTIMATE.csv, or two directories whose files of one name are pairs. Columns: time_s, "
+         "north_m, east_m; and where present id (ospa2 and tgospa need it), north_velocity_mps, "
+         "east_velocity_mps; of the truth visible (0 or 1); of the estimate status (tentative confirmed "
+         "coasting), existence")
+      ->expected(2)
+      ->required();
   add_scoring(app, options);
   app.add_option("--metric", options.metric,
                  "ospa, gospa, ospa2 (tracks over a window) or tgospa (tracks over the run)")
@@ -184,7 +212,9 @@ void declare_ospa(CLI::App& app, Options& options) {
   app.add_option("--time-tolerance", options.time_tolerance,
                  "Times that differ by no more are one [s] (default: 1e-6)");
   app.add_flag("--interpolate", options.interpolate, "Take the truth between its times on straight lines");
-  app.add_option("--over-time", options.over_time, "Also write the metric over time to this CSV");
+  app.add_option(
+      "--over-time", options.over_time,
+      "Also write the metric over time to this CSV; of directories, one a pair into this directory");
   app.add_option("--window", options.window,
                  "ospa2: how far each value looks back [s] (default: to the first time)");
   app.add_option("--switch-penalty", options.switch_penalty,
@@ -234,16 +264,55 @@ void declare_experiment(CLI::App& app, Options& options) {
   add_out(app, options);
   add_seed(app, options);
   app.add_flag("--list", options.list, "Name the experiments and stop");
-  app.add_option("--runs", options.runs, "Monte Carlo runs a cell")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 1000000));
-  app.add_option("--jobs", options.jobs, "Threads; 0 takes all cores")
-      ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
+  add_monte_carlo(app, options);
   app.add_option("--only", options.only, "KEY=VALUE: only the cells with it; may be repeated")
       ->allow_extra_args(false);
-  app.add_flag("--resume", options.resume, "Go on where an interrupted experiment stopped");
   add_plugin(app, options);
+}
+
+/// What `compare` and `tune` are measured with.
+void add_comparing(CLI::App& app, Options& options) {
+  app.add_flag("--unknown-sensor", options.unknown_sensor,
+               "Keep the scenes' sensor figures from the trackers: they know what the configuration says");
+  add_scoring(app, options);
+  app.add_option("--window", options.window, "How far OSPA(2) looks back [s] (default: 10)");
+  app.add_option(
+      "--switch-penalty", options.switch_penalty,
+      "Of trajectory GOSPA: price of a target's change of track [m] (default: a tenth of the cut-off)");
+}
+
+void declare_tune(CLI::App& app, Options& options) {
+  app.add_option("SCENE", options.inputs, "Scene YAML")->expected(1)->required();
+  app.add_option(
+         "--parameter", options.parameters,
+         "KEY=FROM:TO or KEY=FROM:TO:COUNT (7): a parameter of the tracker, as docs/parameters.md names it")
+      ->allow_extra_args(false);
+  add_out(app, options);
+  add_seed(app, options);
+  add_monte_carlo(app, options);
+  app.add_option("--config", options.config, "Configuration YAML");
+  app.add_option("--estimator", options.estimator, one_of("Estimator", estimator_choices()));
+  app.add_option("--tracker", options.tracker, one_of("Tracker", tracking::tracker_names()));
+  add_plugin(app, options);
+  add_comparing(app, options);
+}
+
+void declare_compare(CLI::App& app, Options& options) {
+  app.add_option("SCENE", options.inputs, "Scene YAMLs")->expected(1, -1)->required();
+  app.add_option("--method", options.methods, method_choices())->allow_extra_args(false);
+  add_out(app, options);
+  add_seed(app, options);
+  add_monte_carlo(app, options);
+  app.add_option("--config", options.config, "Configuration YAML of the methods that have none of their own");
+  add_plugin(app, options);
+  add_comparing(app, options);
+}
+
+void declare_merge(CLI::App& app, Options& options) {
+  app.add_option("DIR", options.inputs, "Directories that --shard K/N wrote, in any order")
+      ->expected(1, -1)
+      ->required();
+  add_out(app, options);
 }
 
 void declare_watch(CLI::App& app, Options& options) {
@@ -325,6 +394,16 @@ constexpr Command kCommands[] = {
     {"experiment", "Runs a paper's experiment, Monte Carlo, and sets our figures beside the paper's.",
      "lookout experiment csht-window --runs 20 --only p_miss=0.1 --out out/window", declare_experiment,
      experiment_command},
+    {"compare", "Runs trackers on scenes of your own with common seeds: curves, tests, tables, a report.",
+     "lookout compare tools/scenarios/crossing.yaml --method joint --method gnn --runs 50 --out out/compare",
+     declare_compare, compare_command},
+    {"tune", "Sweeps one parameter of a tracker over a scene with common seeds, and plots what it does.",
+     "lookout tune tools/scenarios/crossing.yaml --parameter joint.birth.begin_nats=8:14 --runs 20 --out "
+     "out/tune",
+     declare_tune, tune_command},
+    {"merge",
+     "Joins the shards of an experiment or a comparison into one result, as if one machine had done all.",
+     "lookout merge shards/* --out out/window", declare_merge, merge_command},
     {"watch", "Shows what the sonar hears and the tracker believes, live or out of a log, in a browser.",
      "lookout watch --http 8080", declare_watch, watch_command},
     {"status", "Shows in a terminal whether the chain is healthy, and why not.", "lookout status --once",

@@ -1,26 +1,47 @@
 #include "tracking/tracker_registry.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <stdexcept>
+#include <utility>
 
 #include "core/files/yaml_reader.hpp"
+#include "csht/estimator_registry.hpp"
 #include "tracking/baselines/gnn_tracker.hpp"
 #include "tracking/baselines/kalman_tracker.hpp"
 #include "tracking/csht_tracker.hpp"
 #include "tracking/initiation/initiator_birth.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
 #include "tracking/joint/joint_tracker.hpp"
+#include "tracking/tracker_fields.hpp"
 
 namespace lookout::tracking {
 namespace {
 
-using Factory = std::unique_ptr<Tracker> (*)(const TrackerParams&, const core::SonarParams&,
-                                             std::uint64_t seed);
-
 struct Entry {
-  const char* name;
-  const char* estimator;  ///< Where none is named; empty: it works on detections alone.
-  Factory make;
+  std::string name;
+  std::string estimator;  ///< Where none is named; empty: it works on detections alone.
+  MakeTracker make;
+  ListedParameters (*own)() = nullptr;  ///< Null: no parameters of its own.
 };
+
+template <typename Params>
+ListedParameters listed() {
+  const auto params = std::make_shared<Params>();
+  ListedParameters result{params, {}};
+  list_fields(result.list, "", *params);
+  return result;
+}
+
+/// Sets what the user chose of a tracker's own parameters.
+template <typename Params>
+void set_own(const TrackerParams& chosen, const std::string& tracker, Params& params) {
+  const auto own = chosen.own.find(tracker);
+  if (own == chosen.own.end()) return;
+  core::ParameterList list;
+  list_fields(list, "", params);
+  list.set(own->second);
+}
 
 /// A track that an initiator starts has shown its M of N already.
 void confirm_at_birth(TrackLifeParams& life) {
@@ -35,6 +56,7 @@ std::unique_ptr<Tracker> make_csht(const TrackerParams& params, const core::Sona
   csht.min_existence = params.min_existence;
   // Half the fastest target's speed: 1.5 m/s for the sonar's 3 m/s.
   csht.element_gate.velocity = 0.5 * sonar.max_speed;
+  set_own(params, "csht", csht);
   return std::make_unique<CshtTracker>(csht, sonar,
                                        make_birth(params.initiator, "csht", params.births, sonar));
 }
@@ -45,6 +67,7 @@ std::unique_ptr<Tracker> make_joint(const TrackerParams& params, const core::Son
   joint.life.coast_s = params.coast_s;
   joint.report.report_all = params.report_all;
   joint.report.min_existence = joint.learning.least_existence = params.min_existence;
+  set_own(params, "joint", joint);
   return std::make_unique<JointTracker>(joint, sonar, seed,
                                         make_birth(params.initiator, "joint", params.births, sonar));
 }
@@ -55,6 +78,7 @@ std::unique_ptr<Tracker> make_kalman(const TrackerParams& params, const core::So
   kalman.life.coast_s = params.coast_s;
   auto births = make_birth(params.initiator, "kalman", params.births, sonar);
   if (births != nullptr) confirm_at_birth(kalman.life);
+  set_own(params, "kalman", kalman);
   return std::make_unique<KalmanTracker>(kalman, sonar, std::move(births));
 }
 
@@ -64,16 +88,29 @@ std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::Sonar
   gnn.life.coast_s = params.coast_s;
   auto births = make_birth(params.initiator, "gnn", params.births, sonar);
   if (births != nullptr) confirm_at_birth(gnn.life);
+  set_own(params, "gnn", gnn);
   return std::make_unique<GnnTracker>(gnn, sonar, std::move(births));
 }
 
-/// One line a tracker.
-constexpr Entry kRegistry[] = {
-    {"joint", "joint", &make_joint},
-    {"csht", "csht", &make_csht},
-    {"kalman", "", &make_kalman},
-    {"gnn", "", &make_gnn},
-};
+/// One line a tracker; those from outside follow.
+std::vector<Entry>& registry() {
+  static std::vector<Entry> entries{
+      {"joint", "joint", &make_joint, &listed<JointTrackerParams>},
+      {"csht", "csht", &make_csht, &listed<CshtTrackerParams>},
+      {"kalman", "", &make_kalman, &listed<KalmanParams>},
+      {"gnn", "", &make_gnn, &listed<GnnParams>},
+  };
+  return entries;
+}
+
+bool is_name(const std::string& text) {
+  const auto is_part = [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '_'; };
+  return !text.empty() && std::all_of(text.begin(), text.end(), is_part);
+}
+
+bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 }  // namespace
 
@@ -83,6 +120,8 @@ void read_tracker_params(const core::YamlMap& map, TrackerParams& params) {
   std::vector<std::string> births = initiator_names();
   for (const auto& own : tracker_names()) births.push_back(own);
   params.initiator = map.choice("initiator", params.initiator, births);
+  for (const auto& tracker : tracker_names())
+    if (const auto part = map.map(tracker)) params.own[tracker] = own_parameters(tracker).list.read(*part);
   map.finish();
 }
 
@@ -93,14 +132,33 @@ void read_output_params(const core::YamlMap& map, TrackerParams& params) {
   map.finish();
 }
 
+void register_tracker(const std::string& name, const std::string& estimator, MakeTracker make) {
+  if (!is_name(name))
+    throw std::invalid_argument("a tracker's name must be letters, digits and underscores, got `" + name +
+                                "`");
+  if (is_one_of(name, tracker_names()) || is_one_of(name, initiator_names()))
+    throw std::invalid_argument("the tracker or initiator `" + name + "` exists already");
+  if (!estimator.empty() && !is_one_of(estimator, csht::estimator_names()))
+    throw std::invalid_argument("the estimator `" + estimator + "` of tracker `" + name + "` is not known");
+  if (make == nullptr)
+    throw std::invalid_argument("the tracker `" + name + "` has no function that makes it");
+  registry().push_back({name, estimator, std::move(make)});
+}
+
+ListedParameters own_parameters(const std::string& tracker) {
+  for (const auto& entry : registry())
+    if (entry.name == tracker && entry.own != nullptr) return entry.own();
+  return {};
+}
+
 std::vector<std::string> tracker_names() {
   std::vector<std::string> names;
-  for (const auto& entry : kRegistry) names.emplace_back(entry.name);
+  for (const auto& entry : registry()) names.emplace_back(entry.name);
   return names;
 }
 
 std::string default_estimator(const std::string& tracker) {
-  for (const auto& entry : kRegistry)
+  for (const auto& entry : registry())
     if (entry.name == tracker) return entry.estimator;
   return {};
 }
@@ -108,9 +166,9 @@ std::string default_estimator(const std::string& tracker) {
 std::unique_ptr<Tracker> make_tracker(const std::string& name, const TrackerParams& params,
                                       const core::SonarParams& sonar, std::uint64_t seed) {
   std::string accepted;
-  for (const auto& entry : kRegistry) {
+  for (const auto& entry : registry()) {
     if (entry.name == name) return entry.make(params, sonar, seed);
-    accepted += std::string(" ") + entry.name;
+    accepted += " " + entry.name;
   }
   throw std::invalid_argument("tracker must be one of" + accepted + ", got `" + name + "`");
 }

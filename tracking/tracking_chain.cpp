@@ -25,6 +25,8 @@ std::unique_ptr<ScanPipeline> make_pipeline(const ChainParams& params, const cor
                                 std::to_string(params.lag) + " us");
   csht::EstimatorParams estimator = params.estimator;
   if (estimator.name.empty()) estimator.name = default_estimator(name);
+  if (const auto own = params.tracker.own.find(name); own != params.tracker.own.end())
+    estimator.engine = own->second;
   auto pipeline = std::make_unique<ScanPipeline>(
       estimator.name.empty() ? nullptr : csht::make_estimator(estimator.name, estimator, sensor, params.seed),
       std::move(tracker), core::microseconds(sensor.latency));

@@ -37,11 +37,16 @@ void require_new(const Items& items, Id id, const CsvTable& table, std::size_t r
     table.fail(row, "id", "stands twice at " + table.text(row, "time_s") + " s; were the times cut short?");
 }
 
-std::int32_t target_id(const CsvTable& table, std::size_t row) {
-  const std::int64_t id = table.integer(row, "id");
+std::int32_t target_id(const CsvTable& table, std::size_t row, std::int64_t id) {
   if (id < std::numeric_limits<std::int32_t>::min() || id > std::numeric_limits<std::int32_t>::max())
     table.fail(row, "id", "is beyond 32 bits");
   return static_cast<std::int32_t>(id);
+}
+
+/// The identity in a row; without a column `id` the row's number among those of its time.
+template <class Items>
+std::int64_t id_in(const CsvTable& table, std::size_t row, const Items& items) {
+  return table.has("id") ? table.integer(row, "id") : static_cast<std::int64_t>(items.size()) + 1;
 }
 
 /// Lists with the clock of each.
@@ -146,13 +151,13 @@ CsvWriter& write_state(CsvWriter& csv, const Eigen::Vector2d& position, const Ei
 }
 
 Clocked<GroundTruth> read_clocked_truth(const std::string& path) {
-  static constexpr std::array<Columns, 4> kRequired{"time_s", "id", "north_m", "east_m"};
+  static constexpr std::array<Columns, 3> kRequired{"time_s", "north_m", "east_m"};
   const CsvTable table(path, kRequired);
   Clocked<GroundTruth> truth;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
     GroundTruth& group = truth.at(table, row);
     TargetTruth target;
-    target.id = target_id(table, row);
+    target.id = target_id(table, row, id_in(table, row, group.targets));
     require_new(group.targets, target.id, table, row);
     target.position = {table.number(row, "north_m"), table.number(row, "east_m")};
     target.velocity = {number_or(table, row, "north_velocity_mps", 0.0),
@@ -278,13 +283,13 @@ void write_tracks(const std::string& path, const std::vector<TrackList>& lists) 
 }
 
 std::vector<TrackList> read_tracks(const std::string& path) {
-  static constexpr std::array<Columns, 4> kRequired{"time_s", "id", "north_m", "east_m"};
+  static constexpr std::array<Columns, 3> kRequired{"time_s", "north_m", "east_m"};
   const CsvTable table(path, kRequired);
   Clocked<TrackList> lists;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
     TrackList& list = lists.at(table, row);
     Track track;
-    track.id = table.integer(row, "id");
+    track.id = id_in(table, row, list.tracks);
     require_new(list.tracks, track.id, table, row);
     track.status = TrackStatus::confirmed;
     if (table.has("status")) {

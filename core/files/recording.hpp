@@ -54,12 +54,14 @@ struct TrackList {
 };
 
 /// tracks.csv, one row a track and time; with a column `clock` where times go back. `read_tracks` needs
-/// time_s,id,north_m,east_m alone, groups rows by time, and refuses more than one clock.
+/// time_s,north_m,east_m alone, groups rows by time, and refuses more than one clock. Without a column `id`
+/// the rows of a time are numbered, so that an identity says nothing from one time to the next.
 void write_tracks(const std::string& path, const std::vector<TrackList>& lists);
 /// Reads tracks.csv. @throws InputError naming file, line and column.
 std::vector<TrackList> read_tracks(const std::string& path);
 
-/// truth.csv alone; needs time_s,id,north_m,east_m, takes the rest where present (visible where absent).
+/// truth.csv alone; needs time_s,north_m,east_m, takes the rest where present (visible where absent); `id` as
+/// in read_tracks.
 std::vector<GroundTruth> read_truth(const std::string& path);
 /// Writes truth.csv alone. @throws std::runtime_error where the disk refuses.
 void write_truth(const std::string& path, const std::vector<GroundTruth>& truth);

@@ -9,7 +9,7 @@ namespace lookout::tests {
 namespace {
 
 TEST(CommandLine, HelpShowsAnExampleFirst) {
-  for (const std::string command : {"run", "sim", "track", "score", "replay", "ospa", "experiment", "watch",
+  for (const std::string command : {"run", "sim", "track", "score", "replay", "ospa", "experiment", "compare", "merge", "watch",
                                     "status", "plot", "fault", "doctor"}) {
     const auto result = run_lookout(command + " --help");
     EXPECT_EQ(result.status, 0);
@@ -44,6 +44,11 @@ TEST(CommandLine, BadUsageIsStatusTwoAndOneLine) {
         "experiment --runs 0",
         "experiment --runs many",
         "run --xyz",
+        "experiment csht-window --out /tmp/x --shard 3/2",
+        "merge /no/such --out /tmp/x",
+        "compare /no/such.yaml",
+        "compare tools/scenarios/crossing.yaml --method jont --out /tmp/x",
+        "compare tools/scenarios/crossing.yaml --method gnn --window 0 --out /tmp/x",
         "watch --http 70000 --lcm-url memq://",
         "watch /no/such/log",
         "watch --decisions /no/such/file --lcm-url memq://",

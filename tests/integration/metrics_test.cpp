@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "tests/integration/program.hpp"
@@ -98,6 +99,48 @@ TEST_F(OspaMetrics, RowsBeyondABoundAreRefused) {
 TEST_F(OspaMetrics, AScanFileBesideTheTruthNamesTheTimes) {
   folder_.write("scans.csv", "time_s,bearing_rad,range_m\n0,,\n1,,\n2,,\n3,,\n4,,\n");
   EXPECT_EQ(score("").at("times"), 5);
+}
+
+// Four estimates 5 m off, without identities: the metrics that see each time alone need none.
+TEST_F(OspaMetrics, IdentitiesAreNeededByTheMetricsOfTracksAlone) {
+  const auto bare = folder_.write("bare.csv", "time_s,north_m,east_m\n0,3,4\n1,3,4\n2,3,4\n3,3,4\n");
+  const auto scored = run_lookout("ospa " + truth() + " " + bare + " --json");
+  EXPECT_NEAR(nlohmann::json::parse(scored.out).at("total"), 5.0, 1e-12);
+  for (const std::string metric : {"ospa2", "tgospa"}) {
+    const auto result = run_lookout("ospa " + truth() + " " + bare + " --metric " + metric);
+    EXPECT_EQ(result.status, 2) << metric;
+    EXPECT_NE(result.err.find("bare.csv"), std::string::npos) << result.err;
+    EXPECT_NE(result.err.find("id"), std::string::npos) << result.err;
+  }
+}
+
+/// Two pairs of files, `a.csv` 5 m off and `b.csv` right.
+void write_pairs(const TemporaryDirectory& folder) {
+  for (const std::string name : {"truths", "guesses"}) std::filesystem::create_directory(folder.file(name));
+  for (const std::string name : {"a.csv", "b.csv"}) {
+    folder.write("truths/" + name, std::string(kHeader) + "0,1,0,0\n");
+    folder.write("guesses/" + name, std::string(kHeader) + (name == "a.csv" ? "0,1,3,4\n" : "0,1,0,0\n"));
+  }
+}
+
+TEST_F(OspaMetrics, DirectoriesAreScoredPairByPair) {
+  write_pairs(folder_);
+  const std::string both = folder_.file("truths") + " " + folder_.file("guesses");
+  const auto scored = nlohmann::json::parse(run_lookout("ospa " + both + " --json").out);
+  EXPECT_NEAR(scored.at("total"), 2.5, 1e-12);  // the mean of 5 m and 0 m
+  EXPECT_EQ(scored.at("pairs")[0].at("pair"), "a.csv");
+  EXPECT_NEAR(scored.at("pairs")[0].at("total"), 5.0, 1e-12);
+  const auto told = run_lookout("ospa " + both + " --over-time " + folder_.file("over"));
+  EXPECT_NE(told.out.find("mean of 2 pairs: OSPA 2.500 m"), std::string::npos) << told.out;
+  EXPECT_FALSE(text_of(folder_.file("over/b.csv")).empty());
+}
+
+TEST_F(OspaMetrics, AFileWithoutAPartnerIsNamed) {
+  write_pairs(folder_);
+  folder_.write("guesses/c.csv", kHeader);
+  const std::string both = folder_.file("truths") + " " + folder_.file("guesses");
+  EXPECT_NE(run_lookout("ospa " + both).err.find("c.csv: has no partner"), std::string::npos);
+  EXPECT_EQ(run_lookout("ospa " + folder_.file("truths") + " " + tracks()).status, 2);
 }
 
 }  // namespace

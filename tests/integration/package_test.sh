@@ -58,6 +58,13 @@ quietly "$lookout" experiment csht-window --plugin "$toy" --runs 1 --only method
   --only clutter=light --out "$folder/experiment"
 grep -q '^toy,' "$folder/experiment/results.csv" || fail "the experiment does not know the toy"
 
+# As a tracker, and beside others in a comparison; its estimator with another tracker.
+quietly "$lookout" compare "$scene" --plugin "$toy" --method toy_tracker --method csht:toy --method gnn --runs 2 \
+  --out "$folder/compare"
+grep -q '^scene,toy_tracker,1,0,' "$folder/compare/curves.csv" || fail "the comparison does not know the toy"
+grep -q '"command": "lookout compare .*--plugin' "$folder/compare/results.json" || fail "the plug-in is not told"
+refused 'got `toy_tracker`' "$lookout" compare "$scene" --method toy_tracker --out "$folder/none"
+
 # Names: known with the plug-in, unknown without; keys: its own alone.
 "$lookout" run --plugin "$toy" --help | grep -q 'ransac toy' || fail "--help does not show the toy"
 "$lookout" initiate --plugin "$toy" --help | grep -q 'vct toy' || fail "initiate --help does not show the toy"

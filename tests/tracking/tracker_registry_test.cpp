@@ -42,5 +42,46 @@ TEST(TrackerRegistry, RefusesBadConfigurations) {
                core::InputError);
 }
 
+TEST(TrackerRegistry, ReadsTheParametersOfTrackers) {
+  TrackerParams params;
+  read_tracker_params(
+      core::YamlMap::load_text("{joint: {birth: {begin_nats: 12}, life: {mean_life_s: 300}}}", "t"), params);
+  EXPECT_EQ(params.own.at("joint").at("birth.begin_nats"), 12.0);
+  EXPECT_EQ(params.own.at("joint").at("life.mean_life_s"), 300.0);
+  for (const char* text : {"{joint: {birth: {begin_nats: -1}}}", "{joint: {births: {}}}",
+                           "{gnn: {life: {coast_s: 3}}}", "{joint: {cloud: {trajectories: 64.5}}}"})
+    EXPECT_THROW(read_tracker_params(core::YamlMap::load_text(text, "t"), params), core::InputError) << text;
+}
+
+TEST(TrackerRegistry, ParametersReachTheirTracker) {
+  // Each of these is in its own range and out of a rule between two parameters, which construction knows.
+  TrackerParams joint, gnn;
+  joint.own["joint"]["cloud.refresh_goal"] = 0.1;  // below refresh_share
+  EXPECT_THROW(make_tracker("joint", joint, {}, 1), std::invalid_argument);
+  gnn.own["gnn"]["life.confirm_scans"] = 2.0;  // below confirm_hits
+  EXPECT_THROW(make_tracker("gnn", gnn, {}, 1), std::invalid_argument);
+  EXPECT_NE(make_tracker("kalman", gnn, {}, 1), nullptr);  // the other tracker's do not count
+}
+
+TEST(TrackerRegistry, EveryTrackerListsItsParameters) {
+  for (const char* name : {"joint", "csht", "kalman", "gnn"})
+    EXPECT_FALSE(own_parameters(name).list.all().empty()) << name;
+  EXPECT_TRUE(own_parameters("nothing").list.all().empty());
+}
+
+TEST(TrackerRegistry, TakesATrackerFromOutside) {
+  const auto make = [](const TrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed) {
+    return make_tracker("gnn", params, sonar, seed);
+  };
+  register_tracker("outsider", "sht", make);
+  EXPECT_EQ(default_estimator("outsider"), "sht");
+  EXPECT_NE(make_tracker("outsider", {}, {}, 1), nullptr);
+  EXPECT_THROW(register_tracker("outsider", "", make), std::invalid_argument);
+  EXPECT_THROW(register_tracker("joint", "", make), std::invalid_argument);
+  EXPECT_THROW(register_tracker("no name", "", make), std::invalid_argument);
+  EXPECT_THROW(register_tracker("other", "no_such_estimator", make), std::invalid_argument);
+  EXPECT_THROW(register_tracker("other", "", nullptr), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lookout::tracking

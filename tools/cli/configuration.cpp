@@ -13,9 +13,10 @@ namespace {
 
 constexpr const char* kDefaultTracker = "joint";
 
-/// The faithful tracker is driven by the faithful estimator; beside every other tracker stands the best one.
+/// The tracker's own estimator; beside one that has none stands the best one, whose elements are told.
 std::string estimator_beside(const std::string& tracker) {
-  return tracker == "csht" ? "csht" : "joint";
+  const std::string own = tracking::default_estimator(tracker);
+  return own.empty() ? kDefaultTracker : own;
 }
 constexpr const char* kImageEstimator = "h_pmht";
 const std::vector<std::string> kInputs{"scan", "image"};
@@ -78,6 +79,24 @@ void apply_name(const std::string& flag, const std::string& given, const std::ve
   name = given;
 }
 
+/// Sets a parameter of the tracker, NAME.PATH or coast_s, over what the configuration says.
+void set_parameter(const std::string& path, double value, Configuration& configuration) {
+  tracking::TrackerParams& tracker = configuration.tracker;
+  if (path == "coast_s") {
+    if (!(value >= 0.0))
+      throw core::InputError("coast_s: got " + core::shortest(value) + ", expected a number >= 0");
+    tracker.coast_s = value;
+    return;
+  }
+  const std::string prefix = tracker.name + ".";
+  if (!path.starts_with(prefix))
+    throw core::InputError("parameter `" + path + "`: expected coast_s or one that begins with " + prefix +
+                           " (docs/parameters.md)");
+  const std::string own = path.substr(prefix.size());
+  tracking::own_parameters(tracker.name).list.set(own, value);
+  tracker.own[tracker.name][own] = value;
+}
+
 /// --lag in microseconds.
 std::int64_t lag_of(const Options& options) {
   const double lag = options.lag.value_or(0.0);
@@ -119,6 +138,14 @@ void refuse_idle_estimator(const Options& options, const Configuration& configur
         "whose memory they share; expected none");
 }
 
+void refuse_idle_parameters(const Options& options, const Configuration& configuration) {
+  const std::string& tracker = configuration.tracker.name;
+  for (const auto& [name, values] : configuration.tracker.own)
+    if (name != tracker)
+      throw core::InputError(options.config + ": tracker: " + name + ": has no effect on tracker " + tracker +
+                             ", expected " + tracker + " or none");
+}
+
 /// What the tracker of raw images does not know.
 void refuse_idle_image_choices(const Options& options, const Configuration& configuration) {
   const auto refuse = [](const std::string& flag) {
@@ -151,6 +178,7 @@ Configuration load_configuration(const Options& options, const core::SonarParams
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
   std::string input;
   apply_name("--input", options.input, kInputs, input);
+  for (const auto& [path, value] : options.settings) set_parameter(path, value, configuration);
   configuration.explain = options.explain;
   configuration.lag = lag_of(options);
   if (configuration.estimator.name.empty())
@@ -183,6 +211,7 @@ core::SonarParams params_of_images(const core::SonarParams& known, const core::S
 
 void refuse_idle_choices(const Options& options, const Configuration& configuration) {
   if (tracks_images(configuration)) return refuse_idle_image_choices(options, configuration);
+  refuse_idle_parameters(options, configuration);
   refuse_idle_estimator(options, configuration);
   if (configuration.tracker.report_all && takes_no_elements(configuration.tracker.name))
     throw core::InputError(options.config + ": output: min_existence: has no effect on tracker " +

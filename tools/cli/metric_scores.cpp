@@ -19,7 +19,7 @@ constexpr double kSwitchShare = 0.1;
 
 Score ospa_score(const Comparison& comparison, const Options& options) {
   tracking::Scorer scorer = make_scorer(options);
-  Score score{"OSPA", {}, "total,localization,cardinality,num_truth,num_tracks", {}};
+  Score score{"OSPA", {}, "total,localization,cardinality,num_truth,num_tracks", {}, 0};
   for (const auto& time : comparison.times()) {
     const tracking::OspaResult& ospa = scorer.add(time.truth, time.tracks).position;
     score.rows.push_back(
@@ -39,7 +39,7 @@ void require_finite_order(const Options& options) {
 Score gospa_score(const Comparison& comparison, const Options& options) {
   require_finite_order(options);
   tracking::Scorer scorer = make_scorer(options);
-  Score score{"GOSPA", {}, "total,localization,missed,false,num_missed,num_false", {}};
+  Score score{"GOSPA", {}, "total,localization,missed,false,num_missed,num_false", {}, 0};
   for (const auto& time : comparison.times()) {
     const tracking::GospaResult& gospa = scorer.add(time.truth, time.tracks).gospa;
     score.rows.push_back({gospa.total, gospa.localization, gospa.missed, gospa.false_tracks,
@@ -83,7 +83,7 @@ Score ospa2_score(const Comparison& comparison, const Options& options) {
     throw core::InputError("--window: got " + core::shortest(*options.window) + ", expected seconds > 0");
   const TrajectoryPair pair(comparison, kind);
   tracking::Ospa2 ospa2({options.cutoff, options.order});
-  Score score{"OSPA(2)", {}, "total,localization,cardinality,num_truth,num_tracks", {}};
+  Score score{"OSPA(2)", {}, "total,localization,cardinality,num_truth,num_tracks", {}, 0};
   const std::size_t end = comparison.times().size();
   const bool each = options.window || !options.over_time.empty();
   std::array<double, 3> sum{};
@@ -111,7 +111,7 @@ Score tgospa_score(const Comparison& comparison, const Options& options) {
   const TrajectoryPair pair(comparison, kind);
   const tracking::TrajectoryGospa metric(trajectory_params(options));
   Score score{
-      "T-GOSPA", {}, "total,localization,missed,false,switches,num_missed,num_false,num_switches", {}};
+      "T-GOSPA", {}, "total,localization,missed,false,switches,num_missed,num_false,num_switches", {}, 0};
   try {
     const auto result = metric(pair.truth, pair.estimate);
     for (const auto& step : result.steps)
@@ -131,8 +131,10 @@ Score tgospa_score(const Comparison& comparison, const Options& options) {
   return score;
 }
 
-constexpr std::array<Metric, 4> kMetrics{
-    {{"ospa", ospa_score}, {"gospa", gospa_score}, {"ospa2", ospa2_score}, {"tgospa", tgospa_score}}};
+constexpr std::array<Metric, 4> kMetrics{{{"ospa", ospa_score},
+                                          {"gospa", gospa_score},
+                                          {"ospa2", ospa2_score, true},
+                                          {"tgospa", tgospa_score, true}}};
 
 void refuse_idle_flags(const Options& options) {
   if (options.window && options.metric != "ospa2")

@@ -18,12 +18,14 @@ struct Score {
   std::vector<std::pair<std::string, double>> parts;  ///< The total first.
   std::string header;                                 ///< Of the CSV over time.
   std::vector<std::vector<double>> rows;              ///< One a time.
+  std::size_t times = 0;                              ///< That were averaged over.
 };
 
 /// A metric of --metric by name.
 struct Metric {
   const char* name;                                   ///< As typed.
   Score (*score)(const Comparison&, const Options&);  ///< @throws core::InputError on an option out of range.
+  bool follows_identities = false;                    ///< From one time to the next.
 };
 
 /// The metric that --metric names. @throws core::InputError naming those that there are, and on flags that

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,12 @@ struct Options {
   int jobs = 0;  ///< Threads; 0: all cores.
   std::vector<std::string> only;
   bool resume = false;
+  std::string shard;                    ///< K/N: this part of the runs; empty: all.
+  std::vector<std::string> methods;     ///< Of `compare`, as typed.
+  std::vector<std::string> parameters;  ///< Of `tune`: KEY=RANGE.
+  /// Values of the tracker's parameters that `tune` tries, over the configuration: NAME.PATH or coast_s.
+  std::map<std::string, double> settings;
+  std::vector<std::string> plugins;  ///< Files of --plugin, loaded while the flags are read.
   bool list = false;
   std::string http = "8080";  ///< PORT or ADDRESS:PORT of `watch`.
   std::string decisions;      ///< File of a tracker's --explain lines, for `watch`.

@@ -3,7 +3,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/field_of_view.hpp"
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/cli/image_keeper.hpp"
@@ -11,6 +10,7 @@
 #include "tools/cli/progress_bar.hpp"
 #include "tools/cli/recorder.hpp"
 #include "tools/cli/scoring.hpp"
+#include "tools/cli/sonar_views.hpp"
 #include "tools/cli/tracked_run.hpp"
 #include "tools/commands/commands.hpp"
 
@@ -21,35 +21,8 @@ namespace {
 // nulls, where sinc(u)^2 and, with a Hann taper, (sinc(2u) / (1 - 4u^2))^2 are one half.
 constexpr double kPulseLength = 1.6651, kLineWidth = 0.8859, kTaperedWidth = 0.7203;
 
-/// What the tracker is told: the scene's figures and over them what the configuration says; with
-/// --unknown-sensor the configuration alone. The geometry is always that of the scans.
-core::SonarParams told_params(const sonar_sim::Scene& scene, const sonar_sim::PlatformPlan& platform,
-                              const Options& options) {
-  const core::SonarParams known =
-      options.unknown_sensor ? core::SonarParams{} : sonar_sim::known_params(scene, platform);
-  const core::SonarParams& plan = platform.sonar.params;
-  core::SonarParams told = load_configuration(options, known).sensor;
-  told.num_beams = plan.num_beams;
-  told.first_bearing = plan.first_bearing;
-  told.bearing_step = plan.bearing_step;
-  told.max_range = plan.max_range;
-  told.T_body_sonar = plan.T_body_sonar;
-  told.scan_period = plan.scan_period;
-  return told;
-}
-
 void feed(RecordedChain& chain, const sonar_sim::SimulatedScan& simulated) {
   chain.add(simulated.scan);
-}
-
-/// The truth as this sonar alone sees it.
-core::GroundTruth truth_in_view(const sonar_sim::SimulatedScan& simulated,
-                                const sonar_sim::SonarPlan& sonar) {
-  const core::SonarParams params = core::with_geometry_of(simulated.scan, sonar.params);
-  core::GroundTruth truth = simulated.truth;
-  for (auto& target : truth.targets)
-    target.visible = core::observe(params, simulated.T_earth_sonar, target.position).visible();
-  return truth;
 }
 
 void feed(RecordedImageChain& chain, const sonar_sim::SimulatedScan& simulated) {
@@ -111,46 +84,24 @@ TrackedRun run_detected(sonar_sim::SonarSimulator& simulator, const sonar_sim::P
   return run;
 }
 
-/// @param seen the vehicle with one of its sonars alone.
 /// @param directory that its images are written to.
-TrackedRun run_sonar(const sonar_sim::Scene& scene, std::size_t index, const sonar_sim::PlatformPlan& seen,
-                     const std::string& directory, const Options& options) {
-  Configuration configuration = load_configuration(options);
-  sonar_sim::SonarSimulator simulator(scene, options.seed, 0, index);
+TrackedRun run_sonar(const sonar_sim::Scene& scene, const SonarView& view, const std::string& directory,
+                     Configuration configuration, const Options& options) {
+  sonar_sim::SonarSimulator simulator(scene, options.seed, 0, view.platform);
   const core::SonarParams configured = configuration.sensor;
-  configuration.sensor = told_params(scene, seen, options);
+  configuration.sensor = told_params(scene, view.seen, options);
   if (configuration.detects) configuration.sensor = params_of_images(configuration.sensor, configured);
   Recorder recorder(configuration.sensor);
   if (!takes_images(configuration)) {
     RecordedChain chain(configuration, options.seed);
-    return run_through(chain, simulator, seen, configuration, directory, recorder);
+    return run_through(chain, simulator, view.seen, configuration, directory, recorder);
   }
   if (!simulator.platform().image)
     throw core::InputError(options.inputs[0] + ": has no `image` part, which " +
                            (configuration.detects ? "--input image" : "--estimator h_pmht") + " needs");
-  if (configuration.detects) return run_detected(simulator, seen, directory, configuration, options);
+  if (configuration.detects) return run_detected(simulator, view.seen, directory, configuration, options);
   RecordedImageChain chain(configuration);
-  return run_through(chain, simulator, seen, configuration, directory, recorder);
-}
-
-/// Runs and writes each sonar of a vehicle; of several, each its own directory, for a recording holds one.
-void run_platform(const sonar_sim::Scene& scene, std::size_t index, const std::string& directory,
-                  const Configuration& configuration, const Options& options) {
-  const sonar_sim::PlatformPlan& platform = scene.platforms[index];
-  const auto sonars = all_sonars(platform);
-  for (std::size_t i = 0; i < sonars.size(); ++i) {
-    if (i > 0 && takes_images(configuration)) break;  // Images are the first sonar's.
-    sonar_sim::PlatformPlan seen = platform;
-    seen.sonar = *sonars[i];
-    seen.further_sonars.clear();
-    seen.sonar.sensor_id = sonars[i]->sensor_id.value_or(platform.node_id + static_cast<std::int32_t>(i));
-    const std::string own =
-        sonars.size() == 1 ? directory : directory + "/sonar" + std::to_string(*seen.sonar.sensor_id);
-    make_directory(own);
-    const TrackedRun run = run_sonar(scene, index, seen, own, options);
-    core::write_recording(own, run.recording);
-    write_tracked_run(own, run, configuration, options);
-  }
+  return run_through(chain, simulator, view.seen, configuration, directory, recorder);
 }
 
 }  // namespace
@@ -162,12 +113,13 @@ int run_command(const Options& options) {
   const Configuration configuration = load_configuration(options);
   refuse_idle_choices(options, configuration);
   make_scorer(options);  // a bad flag stops here, before the work
-  for (std::size_t index = 0; index < scene.platforms.size(); ++index) {
-    const bool alone = scene.platforms.size() == 1;
-    const std::string directory =
-        alone ? options.out : options.out + "/node" + std::to_string(scene.platforms[index].node_id);
+  // Of several sonars each has its own directory, for a recording holds one; images are the first sonar's.
+  for (const SonarView& view : sonar_views(scene, takes_images(configuration))) {
+    const std::string directory = options.out + view.folder;
     make_directory(directory);
-    run_platform(scene, index, directory, configuration, options);
+    const TrackedRun run = run_sonar(scene, view, directory, configuration, options);
+    core::write_recording(directory, run.recording);
+    write_tracked_run(directory, run, configuration, options);
   }
   return 0;
 }

@@ -49,6 +49,7 @@ void TrackQuality::select(const core::GroundTruth& truth, std::span<const core::
 
 void TrackQuality::add(const core::GroundTruth& truth, std::span<const core::Track> tracks) {
   select(truth, tracks);
+  pairs_.clear();
   if (scans_++ == 0) first_utime_ = truth.utime;
   last_utime_ = truth.utime;
   scans_with_right_count_ += truth_.size() == tracks_.size() ? 1 : 0;
@@ -67,6 +68,27 @@ void TrackQuality::add(const core::GroundTruth& truth, std::span<const core::Tra
     put_on(targets_[truth_[i]->id], track, distance, truth.utime);
     ++lives_[track.id].on_target[truth_[i]->id];
   }
+  keep_pairs(track_of_target, cost);
+}
+
+void TrackQuality::keep_pairs(const std::vector<int>& track_of_target, const Eigen::MatrixXd& cost) {
+  std::vector<char> is_kept(tracks_.size(), 0);
+  std::vector<int> kept(truth_.size(), -1);
+  const auto keep = [&](std::size_t i, int j) {
+    if (j < 0 || is_kept[static_cast<std::size_t>(j)] != 0) return;
+    if (cost(static_cast<Eigen::Index>(i), j) > params_.gate) return;
+    kept[i] = j;
+    is_kept[static_cast<std::size_t>(j)] = 1;
+  };
+  for (std::size_t i = 0; i < truth_.size(); ++i) {
+    const auto& identity = targets_[truth_[i]->id].identity;
+    for (std::size_t j = 0; identity && j < tracks_.size(); ++j)
+      if (tracks_[j]->id == *identity) keep(i, static_cast<int>(j));
+  }
+  for (std::size_t i = 0; i < truth_.size(); ++i)
+    if (kept[i] < 0) keep(i, track_of_target[i]);
+  for (std::size_t i = 0; i < truth_.size(); ++i)
+    if (kept[i] >= 0) pairs_.push_back({*truth_[i], *tracks_[static_cast<std::size_t>(kept[i])]});
 }
 
 void TrackQuality::count_scan(Target& target, std::int64_t utime) const {

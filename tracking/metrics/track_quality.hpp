@@ -22,6 +22,12 @@ struct TrackQualityParams {
   TruthKind kind = TruthKind::visible;
 };
 
+/// A target and the track on it at one scan.
+struct TrackOnTarget {
+  core::TargetTruth target;  ///< As at the scan.
+  core::Track track;         ///< As at the scan.
+};
+
 /// How one target was tracked.
 struct TargetQuality {
   std::int32_t id = 0;  ///< Of the target.
@@ -58,6 +64,10 @@ class TrackQuality {
   /// Takes one scan; times increase.
   void add(const core::GroundTruth& truth, std::span<const core::Track> tracks);
   TrackQualityResult result() const;  ///< Over the scans added.
+  /// Which track was on which target at the newest scan; valid until the next `add`. A target keeps the track
+  /// that is its identity while that is within the gate: where two targets meet, the nearest may be the
+  /// other's.
+  std::span<const TrackOnTarget> pairs() const { return pairs_; }
 
  private:
   struct Target {
@@ -76,6 +86,7 @@ class TrackQuality {
   };
 
   void select(const core::GroundTruth& truth, std::span<const core::Track> tracks);
+  void keep_pairs(const std::vector<int>& track_of_target, const Eigen::MatrixXd& cost);
   void count_scan(Target& target, std::int64_t utime) const;
   void put_on(Target& target, const core::Track& track, double distance, std::int64_t utime);
   TargetQuality quality_of(std::int32_t id, const Target& target) const;
@@ -85,6 +96,7 @@ class TrackQuality {
   AssignmentSolver solver_;
   std::vector<const core::TargetTruth*> truth_;
   std::vector<const core::Track*> tracks_;
+  std::vector<TrackOnTarget> pairs_;
   std::map<std::int32_t, Target> targets_;
   std::map<std::int64_t, TrackLife> lives_;
   std::int64_t first_utime_ = 0, last_utime_ = 0;

@@ -132,5 +132,15 @@ TEST(Recording, UnknownStatusIsRefused) {
                InputError);
 }
 
+TEST(Recording, WithoutIdentitiesTheRowsOfATimeAreNumbered) {
+  const tests::TemporaryDirectory folder;
+  const auto path = folder.write("t.csv", "time_s,north_m,east_m\n0,1,0\n0,2,0\n1,3,0\n");
+  const auto lists = read_tracks(path);
+  ASSERT_EQ(lists.size(), 2U);
+  EXPECT_EQ(lists[0].tracks[1].id, 2);
+  EXPECT_EQ(lists[1].tracks[0].id, 1);
+  EXPECT_EQ(read_truth(path)[0].targets[1].id, 2);
+}
+
 }  // namespace
 }  // namespace lookout::core

@@ -1,6 +1,7 @@
-// A plug-in: an estimator and an initiator from outside the library, each as small as it can be.
+// A plug-in: an estimator, a tracker and an initiator from outside the library, each as small as it can be.
 #include "csht/estimator_registry.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
+#include "tracking/tracker_registry.hpp"
 
 namespace {
 
@@ -51,6 +52,34 @@ class ToyInitiator final : public tracking::Initiator {
   tracking::StartedTracks started_;
 };
 
+/// Takes every motion element for a confirmed track.
+class ToyTracker final : public tracking::Tracker {
+ public:
+  std::span<const core::Track> update(const core::PosedScan& /*scan*/,
+                                      std::span<const core::MotionElement> elements) override {
+    tracks_.clear();
+    for (const auto& element : elements) {
+      core::Track& track = tracks_.emplace_back();
+      track.id = next_id_ + static_cast<std::int64_t>(tracks_.size()) - 1;
+      track.status = core::TrackStatus::confirmed;
+      track.state << element.position, element.velocity;
+      track.covariance.setIdentity();
+    }
+    return tracks_;
+  }
+  std::int64_t next_id() const override { return next_id_; }
+  void set_next_id(std::int64_t id) override { next_id_ = id; }
+
+ private:
+  std::int64_t next_id_ = 1;
+  std::vector<core::Track> tracks_;
+};
+
+std::unique_ptr<tracking::Tracker> make_tracker(const tracking::TrackerParams& /*params*/,
+                                                const core::SonarParams& /*sonar*/, std::uint64_t /*seed*/) {
+  return std::make_unique<ToyTracker>();
+}
+
 std::unique_ptr<csht::MotionEstimator> make_estimator(const csht::EstimatorParams& params,
                                                       const core::SonarParams& /*sonar*/,
                                                       std::uint64_t /*seed*/) {
@@ -65,5 +94,6 @@ std::unique_ptr<tracking::Initiator> make_initiator(const tracking::InitiatorCon
 
 extern "C" void lookout_register() {
   csht::register_estimator("toy", &make_estimator);
+  tracking::register_tracker("toy_tracker", "toy", &make_tracker);
   tracking::register_initiator("toy", &make_initiator, {{"toy_speed", core::kNotNegative}});
 }

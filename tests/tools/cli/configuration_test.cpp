@@ -144,5 +144,28 @@ TEST(Configuration, AnInitiatorsKeysAreThoseOfTheOneThatRuns) {
   EXPECT_EQ(load_configuration(with_config(file), {}, "ht").initiator.rho_step, 2.0);  // on points
 }
 
+TEST(Configuration, ParametersOfATrackerThatDoesNotRunAreRefused) {
+  const tests::TemporaryDirectory folder;
+  Options options = with_config(folder.write("c.yaml", "tracker: {joint: {birth: {seeds: 12}}}\n"));
+  EXPECT_EQ(load_configuration(options).tracker.own.at("joint").at("birth.seeds"), 12.0);
+  EXPECT_NO_THROW(refuse_idle_choices(options, load_configuration(options)));
+  options.tracker = "gnn";
+  EXPECT_THROW(refuse_idle_choices(options, load_configuration(options)), core::InputError);
+}
+
+TEST(Configuration, SettingsStandOverTheFile) {
+  const tests::TemporaryDirectory folder;
+  Options options =
+      with_config(folder.write("c.yaml", "tracker: {coast_s: 3, joint: {birth: {seeds: 12}}}\n"));
+  options.settings = {{"coast_s", 4.0}, {"joint.birth.seeds", 13.0}};
+  const Configuration configuration = load_configuration(options);
+  EXPECT_EQ(configuration.tracker.coast_s, 4.0);
+  EXPECT_EQ(configuration.tracker.own.at("joint").at("birth.seeds"), 13.0);
+  options.settings = {{"gnn.gate_probability", 0.9}};
+  EXPECT_NE(error_of(options).find("begins with joint."), std::string::npos);
+  options.settings = {{"joint.birth.seeds", 0.0}};
+  EXPECT_NE(error_of(options).find("expected a number >= 1"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lookout::tools

@@ -41,6 +41,27 @@ TEST(TrackQuality, ATargetFollowedFromItsThirdScan) {
   EXPECT_EQ(result.false_per_100s, 0.0);
 }
 
+TEST(TrackQuality, PairsAreThoseOfTheNewestScan) {
+  TrackQuality quality;
+  quality.add(truth_at(0, {{1, 0.0}, {2, 90.0}}), tracks_at({{7, 1.0}, {8, 50.0}}));
+  ASSERT_EQ(quality.pairs().size(), 1U);  // the other two are 40 m apart, beyond the gate
+  EXPECT_EQ(quality.pairs()[0].target.id, 1);
+  EXPECT_EQ(quality.pairs()[0].track.id, 7);
+  quality.add(truth_at(1, {{1, 0.0}}), {});
+  EXPECT_TRUE(quality.pairs().empty());
+}
+
+TEST(TrackQuality, PairsKeepTheirIdentityWhereTargetsMeet) {
+  TrackQuality quality;
+  for (int scan = 0; scan < 20; ++scan)
+    quality.add(truth_at(scan, {{1, 0.0}, {2, 9.0}}), tracks_at({{7, 0.0}, {8, 9.0}}));
+  quality.add(truth_at(20, {{1, 4.0}, {2, 5.0}}),
+              tracks_at({{7, 4.9}, {8, 4.1}}));  // each nearer to the other
+  ASSERT_EQ(quality.pairs().size(), 2U);
+  EXPECT_EQ(quality.pairs()[0].track.id, 7);
+  EXPECT_EQ(quality.pairs()[1].track.id, 8);
+}
+
 TEST(TrackQuality, SwappedTracksAreTwoSwitchesAndHalfPure) {
   TrackQuality quality;
   for (int scan = 0; scan < 40; ++scan)

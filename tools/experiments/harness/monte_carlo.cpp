@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "core/input_error.hpp"
-#include "tools/cli/progress_bar.hpp"
-#include "tools/experiments/harness/parallel.hpp"
+#include "tools/cli/version.hpp"
 #include "tools/experiments/harness/run_log.hpp"
+#include "tools/experiments/harness/task_pool.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -38,10 +38,12 @@ struct Task {
   int run = 0;
 };
 
-std::vector<Task> make_tasks(const std::vector<Cell>& cells, int runs) {
+std::vector<Task> make_tasks(const std::vector<Cell>& cells, const MonteCarloOptions& options) {
   std::vector<Task> tasks;
+  std::size_t number = 0;
   for (std::size_t cell = 0; cell < cells.size(); ++cell) {
-    for (int run = 0; run < std::min(runs, cells[cell].max_runs); ++run) tasks.push_back({cell, run});
+    for (int run = 0; run < std::min(options.runs, cells[cell].max_runs); ++run)
+      if (options.shard.holds(number++)) tasks.push_back({cell, run});
   }
   return tasks;
 }
@@ -49,22 +51,19 @@ std::vector<Task> make_tasks(const std::vector<Cell>& cells, int runs) {
 /// All finished runs: element [cell][run]. Threads write to elements of their own.
 using RunTable = std::vector<std::vector<std::optional<Metrics>>>;
 
-/// The run loop. Tasks share nothing but the log and the bar; under MPI each rank would take a slice of
-/// `tasks` and send its rows of `table` home.
+/// The run loop. Tasks share nothing but the log.
 void run_tasks(const Experiment& experiment, const std::vector<Cell>& cells, const std::vector<Task>& tasks,
                const MonteCarloOptions& options, RunLog& log, RunTable& table) {
   std::mutex mutex;
-  std::size_t done = 0;
-  ProgressBar bar(tasks.size());
-  run_in_parallel(tasks.size(), options.jobs, [&](std::size_t i) {
+  for_each_task(tasks.size(), options.jobs, [&](std::size_t i) {
     const auto [cell, run] = tasks[i];
     auto& slot = table[cell][static_cast<std::size_t>(run)];
-    const bool is_new = !slot;
-    if (is_new) slot = experiment.run(cells[cell], options.seed, run);
+    if (slot) return;
+    slot = experiment.run(cells[cell], options.seed, run);
     const std::lock_guard lock(mutex);
-    if (is_new) log.append(cells[cell], run, *slot);
-    bar.show(++done);
+    log.append(cells[cell], run, *slot);
   });
+  log.end();
 }
 
 /// Beside the mean of the scans' OSPA the statistic that [Yan2018] prints, where a cell has both parts.
@@ -162,18 +161,34 @@ std::vector<Cell> chosen_cells(const Experiment& experiment, const std::string& 
   return cells;
 }
 
+Study study_of(const std::string& name, const MonteCarloOptions& options) {
+  Study study{name, {}, options.seed, options.runs, version(), {}, {}};
+  std::vector<std::string> words{
+      "experiment", name, "--runs", std::to_string(options.runs), "--seed", std::to_string(options.seed)};
+  for (const auto& filter : options.only) {
+    study.words["only"].push_back(filter.key + "=" + filter.value);
+    words.insert(words.end(), {"--only", study.words["only"].back()});
+  }
+  for (const auto& file : options.plugins) {
+    study.inputs[file] = digest_of(file);
+    words.insert(words.end(), {"--plugin", file});
+  }
+  study.command = command_of(words);
+  return study;
+}
+
 ExperimentResults run_monte_carlo(const Experiment& experiment, const std::string& name,
                                   const MonteCarloOptions& options) {
   const std::vector<Cell> cells = chosen_cells(experiment, name, options.only);
   RunTable table(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
     table[i].resize(static_cast<std::size_t>(std::min(options.runs, cells[i].max_runs)));
-  RunLog log(options.progress_file, name, options.seed, options.resume);
+  RunLog log(options.progress_file, study_of(name, options), options.shard, options.resume);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     for (std::size_t run = 0; run < table[i].size(); ++run)
       table[i][run] = log.find(cells[i], static_cast<int>(run));
   }
-  run_tasks(experiment, cells, make_tasks(cells, options.runs), options, log, table);
+  run_tasks(experiment, cells, make_tasks(cells, options), options, log, table);
 
   ExperimentResults results{name, options.seed, options.runs, {}, {}};
   for (std::size_t i = 0; i < cells.size(); ++i)

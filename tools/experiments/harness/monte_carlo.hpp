@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tools/experiments/harness/experiment.hpp"
+#include "tools/experiments/harness/study.hpp"
 
 namespace lookout::tools {
 
@@ -25,8 +26,10 @@ struct MonteCarloOptions {
   int runs = 100;
   int jobs = 0;  ///< Threads; 0: all cores.
   std::vector<Filter> only;
-  std::string progress_file;  ///< One JSON line a finished run; empty: none.
-  bool resume = false;        ///< Take the runs that the progress file already holds.
+  std::string progress_file;         ///< One JSON line a finished run; empty: none.
+  bool resume = false;               ///< Take the runs that the progress file already holds.
+  Shard shard;                       ///< Do this part of the (cell, run) tasks alone.
+  std::vector<std::string> plugins;  ///< Files of plug-ins that are loaded; they are part of the study.
 };
 
 struct CellResult {
@@ -61,8 +64,13 @@ Estimate pool(const std::vector<Metric>& runs, Pooling pooling);
 /// @param first, second of the same runs in one order, with weights of one.
 Estimate norm_of_means(const std::vector<Metric>& first, const std::vector<Metric>& second);
 
+/// What `lookout experiment NAME` with these options is a part of. @throws core::InputError where a plug-in
+/// cannot be read.
+Study study_of(const std::string& name, const MonteCarloOptions& options);
+
 /// Runs every cell that passes the filters. The work is a list of independent (cell, run) tasks; results
-/// depend on the seed alone, neither on the number of threads nor on their order.
+/// depend on the seed alone, neither on the number of threads nor on their order. A shard's results hold
+/// its own runs alone: `merge_logs` joins the progress files of all.
 /// @throws core::InputError where nothing passes the filters, and what a run throws.
 ExperimentResults run_monte_carlo(const Experiment& experiment, const std::string& name,
                                   const MonteCarloOptions& options);

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <fstream>
-#include <map>
 #include <optional>
 #include <string>
 
 #include "tools/experiments/harness/experiment.hpp"
+#include "tools/experiments/harness/keyed_log.hpp"
 
 namespace lookout::tools {
 
@@ -14,18 +12,17 @@ namespace lookout::tools {
 class RunLog {
  public:
   /// @param path empty: keeps nothing. Without `resume` an old file is replaced.
-  /// @throws core::InputError where the file cannot be written, or belongs to another experiment or seed.
-  RunLog(const std::string& path, const std::string& experiment, std::uint64_t seed, bool resume);
+  /// @throws core::InputError as KeyedLog.
+  RunLog(const std::string& path, const Study& study, const Shard& shard, bool resume);
 
   /// The metrics of a run that an earlier, interrupted experiment finished.
   std::optional<Metrics> find(const Cell& cell, int run) const;
+  /// @throws std::runtime_error where the disk refuses.
   void append(const Cell& cell, int run, const Metrics& metrics);
+  void end();  ///< All runs are there.
 
  private:
-  void load(const std::string& path, const std::string& experiment, std::uint64_t seed);
-
-  std::map<std::string, Metrics> finished_;  ///< By "method parameters run".
-  std::ofstream file_;
+  std::optional<KeyedLog> log_;
 };
 
 }  // namespace lookout::tools

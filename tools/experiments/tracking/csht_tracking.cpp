@@ -7,7 +7,7 @@
 #include "sonar_sim/scene.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/experiments/harness/paper_figures.hpp"
-#include "tools/experiments/harness/parallel.hpp"
+#include "tools/experiments/harness/task_pool.hpp"
 #include "tools/experiments/harness/report.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
 #include "tools/experiments/tracking/over_time.hpp"
@@ -201,7 +201,7 @@ class CshtTracking : public Experiment {
   /// OSPA and its parts scan by scan, the mean over the runs with its interval.
   static void write_over_time(const Cell& cell, const Drawn& drawn, int runs) {
     std::vector<ScoredScans> all(static_cast<std::size_t>(runs));
-    run_in_parallel(all.size(), drawn.jobs, [&](std::size_t run) {
+    for_each_task(all.size(), drawn.jobs, [&](std::size_t run) {
       const auto scans = simulate(scene_of(cell), drawn.seed, static_cast<int>(run));
       all[run] = score_scans(scans, output_of(cell, scans, drawn.seed, static_cast<int>(run)));
     });
