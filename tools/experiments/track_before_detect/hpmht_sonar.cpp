@@ -163,7 +163,7 @@ void HpmhtSonar::write_extras(std::uint64_t seed, const std::string& directory) 
       scene_of({{"situation", "five_targets"}, {"shape", 4.0}, {"snr_db", kPictureSnr}});
   sonar_sim::SonarSimulator simulator(scene, seed);
   tracking::ImageTracker tracker;
-  tracking::RangeBackground background;
+  tracking::ImageBackground background;
   core::CsvWriter tracks(directory + "/sonar_tracks.csv",
                          "time_s,id,status,north_m,east_m,existence,bin,beam");
   core::CsvWriter truth(directory + "/sonar_truth.csv", "time_s,id,north_m,east_m,bin,beam");
@@ -183,7 +183,7 @@ void HpmhtSonar::write_extras(std::uint64_t seed, const std::string& directory) 
       truth.number(cell.x()).number(cell.y());
       truth.end_row();
     }
-    const tracking::IntensityFrame& frame = background.normalise(posed.image);
+    const tracking::IntensityFrame& frame = background.normalise(posed);
     GreyImage picture{frame.columns, frame.rows, frame.values};
     for (double& pixel : picture.pixels) pixel *= kPictureScale;
     write_pgm(directory + "/sonar_image.pgm", picture);  // the last one stays

@@ -10,10 +10,7 @@ namespace {
 constexpr double kSmallestSigma = 0.75;  // [px] of a target's signature; a point fills about one pixel
 constexpr double kGateSigmas = 3.5;      // half the gate's side
 constexpr double kBlockSigmas = 1.0;     // half the block's side
-// A frame has fewer blocks than a ping, so that one rank says less: one birth in a hundred blocks, a longer
-// life, a lower bar.
-constexpr double kBirthQuantile = 0.99;
-constexpr double kSurvival = 0.995;
+// A frame has fewer blocks than a ping, so that one rank says less: a lower bar.
 constexpr double kConfirmExistence = 0.99;
 constexpr double kAcceleration = 0.1;           // [px^2 / frame^3]
 constexpr double kStartSpeedShare = 1.0 / 3.0;  // of the fastest speed, one standard deviation
@@ -27,15 +24,15 @@ int odd_width(double half) {
 CellTrackerParams pixel_tracker_params(const TbdParams& params) {
   const double sigma = std::max(kSmallestSigma, std::sqrt(params.target_area / (4.0 * std::numbers::pi)));
   CellTrackerParams cells;
-  cells.measurement.sigma = cells.filter.sigma = {sigma, sigma};
+  cells.measurement.sigma = cells.scales.filter.sigma = {sigma, sigma};
   cells.measurement.gate_columns = cells.measurement.gate_rows = odd_width(kGateSigmas * sigma);
-  cells.filter.block_columns = cells.filter.block_rows = odd_width(kBlockSigmas * sigma);
+  cells.scales.filter.block_columns = cells.scales.filter.block_rows = odd_width(kBlockSigmas * sigma);
   cells.measurement.threshold = displayed_threshold(1.0, params.dct_db);
   cells.motion.max_speed = params.max_speed;
   cells.motion.start_speed_sigma = kStartSpeedShare * params.max_speed;
-  cells.motion.acceleration_density = kAcceleration;
-  cells.existence.birth_quantile = kBirthQuantile;
-  cells.existence.survival = kSurvival;
+  cells.motion.agile_density = kAcceleration;
+  cells.standing.judged = false;
+  cells.scales.same_on_both_axes = true;
   cells.existence.confirm_existence = kConfirmExistence;
   cells.existence.merge_distance = sigma;
   cells.existence.birth_distance = kGateSigmas * sigma;

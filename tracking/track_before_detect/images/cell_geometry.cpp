@@ -41,6 +41,23 @@ Eigen::Vector2d SonarCellGeometry::position_of(const Eigen::Vector2d& cell) cons
   return core::transform(T_earth_sonar_, core::from_polar(range, bearing));
 }
 
+bool same_cells(const core::SonarImage& a, const core::SonarImage& b) {
+  return a.num_beams == b.num_beams && a.num_bins == b.num_bins && a.first_bearing == b.first_bearing &&
+         a.bearing_step == b.bearing_step && a.first_range == b.first_range && a.range_step == b.range_step;
+}
+
+core::PosedImage without_intensities(const core::PosedImage& posed) {
+  core::PosedImage bare;
+  bare.T_earth_sonar = posed.T_earth_sonar;
+  bare.image.num_beams = posed.image.num_beams;
+  bare.image.num_bins = posed.image.num_bins;
+  bare.image.first_bearing = posed.image.first_bearing;
+  bare.image.bearing_step = posed.image.bearing_step;
+  bare.image.first_range = posed.image.first_range;
+  bare.image.range_step = posed.image.range_step;
+  return bare;
+}
+
 CellView PixelGeometry::observe(const Eigen::Vector2d& position) const {
   return {position, Eigen::Matrix2d::Identity(), inside(position, columns_, rows_)};
 }
