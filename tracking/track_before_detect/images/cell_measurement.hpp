@@ -24,7 +24,7 @@ struct CellMeasurementParams {
   double systematic = 0.04;          ///< Error that does not average out [signatures], >= 0.
   double gate = 16.0;                ///< Chi-square gate of the innovation, > 0.
   /// Of the measured position's variance over what the cells' noise alone gives, > 0.
-  double variance_factor = 0.85;
+  double variance_factor = 0.8;
 };
 
 /// @throws std::invalid_argument naming the parameter out of range.
