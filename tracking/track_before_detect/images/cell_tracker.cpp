@@ -334,6 +334,16 @@ double CellTracker::motion_ratio(const Eigen::Vector2d& v, const Eigen::Matrix2d
          std::exp(std::min(exponent, kMostExponent));
 }
 
+/// The same along the way alone: a target that closes makes none across it, where a signature is wide.
+double CellTracker::way_ratio(const Eigen::Vector2d& way, const Eigen::Matrix2d& standing) const {
+  const double spread = params_.standing.speed_sigma * params_.standing.speed_sigma;
+  const double speed = way.norm();
+  const Eigen::Vector2d along = speed > 0.0 ? Eigen::Vector2d(way / speed) : Eigen::Vector2d(1.0, 0.0);
+  const double still = along.dot(standing * along), moving = still + spread;
+  const double exponent = 0.5 * speed * speed * (1.0 / still - 1.0 / moving);
+  return std::sqrt(still / moving) * std::exp(std::min(exponent, kMostExponent));
+}
+
 /// Whether it moves, by its velocity and by the way that it has made: on structure that glitters a track
 /// wanders to and fro within its signature.
 void CellTracker::judge_motion(CellTrack& track, const CellView& view, double time) const {
@@ -347,7 +357,7 @@ void CellTracker::judge_motion(CellTrack& track, const CellView& view, double ti
   const Eigen::Vector2d way = (track.state.head<2>() - track.first_position) / passed;
   const double ratio =
       std::min(motion_ratio(track.state.tail<2>(), track.covariance.bottomRightCorner<2, 2>()),
-               motion_ratio(way, place / (passed * passed)));
+               way_ratio(way, place / (passed * passed)));
   track.moving = probability_of(track.moving_odds * ratio);
 }
 

@@ -104,6 +104,7 @@ class CellTracker : public CellTargetTracker {
   void set_systematic(CellTrack& track, const CellView& view) const;
   void judge_scale(CellTrack& track, const CellView& view) const;
   void judge_motion(CellTrack& track, const CellView& view, double time) const;
+  double way_ratio(const Eigen::Vector2d& way, const Eigen::Matrix2d& standing) const;
   double motion_ratio(const Eigen::Vector2d& v, const Eigen::Matrix2d& standing) const;
   double log_ratio(double log_probability) const;
   void confirm(CellTrack& track) const;
