@@ -13,7 +13,7 @@ struct StandingScatterer {
   double range = 0.0;    ///< [m]
   double bearing = 0.0;  ///< [rad], sonar frame.
   double snr_db = 0.0;   ///< Mean amplitude over the local background, as of targets; of a wall that of all
-                        ///< its scatterers within a beam together.
+                         ///< its scatterers within a beam together.
   bool is_wall = false;  ///< Of a line or an arc.
 };
 

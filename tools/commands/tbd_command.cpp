@@ -45,6 +45,9 @@ class FrameSource {
     return core::seconds(images_->utime(i) - images_->utime(0)) / params_.frame_period;
   }
 
+  /// Grey levels of frame i, which was prepared last.
+  const std::vector<double>& grey(std::size_t i) { return image(i).pixels; }
+
   /// Frame i as intensities; i from first() on, in order.
   tracking::IntensityFrame prepared(std::size_t i) {
     if (!differencing_) {
@@ -171,18 +174,22 @@ int tbd_command(const Options& options) {
   core::CsvWriter csv(options.out, "time_s,id,x_px,y_px,vx_px,vy_px,existence");
   ProgressBar progress(source.size());
   std::vector<tracking::IntensityFrame> frames;
+  const bool spots = !params.start && params.differencing == tracking::Differencing::automatic;
+  std::vector<std::vector<double>> greys;
   std::vector<double> steps;
   double last = 0.0;
   for (std::size_t i = source.first(); i < source.size(); ++i) {
     frames.push_back(source.prepared(i));
+    if (spots) greys.push_back(source.grey(i));
     steps.push_back(source.index(i) - last);
     last = source.index(i);
     progress.show(i + 1);
     if (static_cast<int>(frames.size()) < tracker.batch_length() && i + 1 < source.size()) continue;
-    const auto& tracks = tracker.process(frames, steps);
+    const auto& tracks = tracker.process(frames, steps, greys);
     for (std::size_t t = 0; t < frames.size(); ++t)
       write_rows(csv, source.index(i + 1 - frames.size() + t) * params.frame_period, tracks[t]);
     frames.clear();
+    greys.clear();
     steps.clear();
   }
   csv.close();

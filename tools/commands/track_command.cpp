@@ -51,8 +51,9 @@ int track_command(const Options& options) {
     tracking::ImageTrackerNode node(
         bus, params,
         [&configuration](auto on_result, auto report) {
-          return std::make_unique<tracking::ImageChain>(configuration.sensor, "h_pmht", std::move(on_result),
-                                                        std::move(report));
+          return std::make_unique<tracking::ImageChain>(
+              configuration.sensor, "h_pmht", std::move(on_result), std::move(report),
+              tracking::InstrumentParams{configuration.tbd.pulse_length, configuration.tbd.beam_width});
         },
         warn);
     log_info("track: h_pmht on SONAR_IMAGE");

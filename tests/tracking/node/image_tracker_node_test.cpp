@@ -30,7 +30,10 @@ TEST(ImageTrackerNode, PublishesEachResultOnceForEachImage) {
     ++estimates;
     EXPECT_EQ(estimate.node_id, 3);
   });
-  const std::string targets = "  - {id: 1, north: 60.0, east: 0.0}\n  - {id: 2, north: 90.0, east: 20.0}\n";
+  // Both move: what stands is background.
+  const std::string targets =
+      "  - {id: 1, north: 60.0, east: 0.0, north_velocity: -1.0}\n"
+      "  - {id: 2, north: 90.0, east: 20.0, east_velocity: 1.0}\n";
   const auto pings = pings_of(sonar_scene(targets, 8.0, 20.0), 1008);
   bus.publish("VEHICLE_STATE", lcmtypes::to_wire(core::VehicleState{pings.front().image.utime, {}, {}}));
   for (const auto& ping : pings) {

@@ -165,7 +165,7 @@ void HpmhtSonar::write_extras(const Drawn& drawn) const {
       scene_of({{"situation", "five_targets"}, {"shape", 4.0}, {"snr_db", kPictureSnr}});
   sonar_sim::SonarSimulator simulator(scene, drawn.seed);
   tracking::ImageTracker tracker;
-  tracking::RangeBackground background;
+  tracking::ImageBackground background;
   core::CsvWriter tracks(directory + "/sonar_tracks.csv",
                          "time_s,id,status,north_m,east_m,existence,bin,beam");
   core::CsvWriter truth(directory + "/sonar_truth.csv", "time_s,id,north_m,east_m,bin,beam");
@@ -185,7 +185,7 @@ void HpmhtSonar::write_extras(const Drawn& drawn) const {
       truth.number(cell.x()).number(cell.y());
       truth.end_row();
     }
-    const tracking::IntensityFrame& frame = background.normalise(posed.image);
+    const tracking::IntensityFrame& frame = background.normalise(posed);
     GreyImage picture{frame.columns, frame.rows, frame.values};
     for (double& pixel : picture.pixels) pixel *= kPictureScale;
     write_pgm(directory + "/sonar_image.pgm", picture);  // the last one stays

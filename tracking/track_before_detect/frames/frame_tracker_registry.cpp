@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/frames.hpp"
 #include "tracking/track_before_detect/frames/h_pmht.hpp"
 #include "tracking/track_before_detect/frames/immpda_ai.hpp"
 
@@ -76,6 +77,9 @@ void read_tbd_params(const core::YamlMap& map, TbdParams& params) {
       map.number("start_position_sigma", params.start_position_sigma, core::kNotNegative);
   params.start_velocity_sigma =
       map.number("start_velocity_sigma", params.start_velocity_sigma, core::kNotNegative);
+  params.pulse_length = map.number("pulse_length", params.pulse_length, core::kNotNegative);
+  params.beam_width =
+      core::radians(map.number("beam_width_deg", core::degrees(params.beam_width), core::kNotNegative));
   params.max_speed = map.number("max_speed", params.max_speed, core::kPositive);
   map.finish();
 }

@@ -32,6 +32,8 @@ struct TbdParams {
   double frame_period = 1.0;          ///< Between frames [s], > 0.
   double start_position_sigma = 2.0;  ///< Of a given start [px], >= 0.
   double start_velocity_sigma = 0.2;  ///< [px/frame], >= 0.
+  double pulse_length = 0.0;          ///< Of a sonar, see InstrumentParams [m], >= 0; 0: found in the images.
+  double beam_width = 0.0;            ///< Likewise [rad], >= 0.
   double max_speed = 10.0;            ///< Of automatically found targets [px/frame], > 0.
 };
 

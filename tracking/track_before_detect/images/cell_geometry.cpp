@@ -42,6 +42,21 @@ Eigen::Vector2d SonarCellGeometry::position_of(const Eigen::Vector2d& cell) cons
   return core::transform(T_earth_sonar_, core::from_polar(range, bearing));
 }
 
+bool same_cells(const core::SonarImage& a, const core::SonarImage& b) {
+  return a.bearings == b.bearings && a.num_bins == b.num_bins && a.first_range == b.first_range &&
+         a.range_step == b.range_step;
+}
+
+core::PosedImage without_intensities(const core::PosedImage& posed) {
+  core::PosedImage bare;
+  bare.T_earth_sonar = posed.T_earth_sonar;
+  bare.image.num_bins = posed.image.num_bins;
+  bare.image.bearings = posed.image.bearings;
+  bare.image.first_range = posed.image.first_range;
+  bare.image.range_step = posed.image.range_step;
+  return bare;
+}
+
 CellView PixelGeometry::observe(const Eigen::Vector2d& position) const {
   return {position, Eigen::Matrix2d::Identity(), inside(position, columns_, rows_)};
 }

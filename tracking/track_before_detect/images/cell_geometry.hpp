@@ -22,6 +22,9 @@ class CellGeometry {
   virtual CellView observe(const Eigen::Vector2d& position) const = 0;
   /// The position of a place in the image.
   virtual Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const = 0;
+  /// How much a cell covers along columns and rows: of a sonar image metres of range and radians of bearing
+  /// (on average, where beams are uneven), of a picture pixels.
+  virtual Eigen::Vector2d cell_size() const = 0;
 };
 
 /// Columns are range bins, rows are beams, even or not; positions are north, east [m]; the sonar's own pose
@@ -32,6 +35,7 @@ class SonarCellGeometry : public CellGeometry {
   explicit SonarCellGeometry(const core::PosedImage& posed);
   CellView observe(const Eigen::Vector2d& p_earth) const override;
   Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const override;
+  Eigen::Vector2d cell_size() const override { return {range_step_, bearing_step_}; }
 
  private:
   core::Pose2 T_earth_sonar_;
@@ -47,9 +51,16 @@ class PixelGeometry : public CellGeometry {
   PixelGeometry(int columns, int rows) : columns_(columns), rows_(rows) {}
   CellView observe(const Eigen::Vector2d& position) const override;
   Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const override { return cell; }
+  Eigen::Vector2d cell_size() const override { return {1.0, 1.0}; }
 
  private:
   int columns_, rows_;
 };
+
+/// Whether two images have the same beams and bins.
+bool same_cells(const core::SonarImage& a, const core::SonarImage& b);
+
+/// Pose, beams and bins of an image alone.
+core::PosedImage without_intensities(const core::PosedImage& posed);
 
 }  // namespace lookout::tracking

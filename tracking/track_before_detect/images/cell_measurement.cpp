@@ -1,102 +1,186 @@
+#include "tracking/track_before_detect/images/cell_measurement.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "tracking/track_before_detect/images/cell_tracker.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
+namespace {
 
-void CellMeasurement::update(const IntensityFrame& frame, const CellGeometry& geometry,
-                             std::vector<CellTrack>& tracks) {
-  background_ = mean_displayed(frame);
-  start(frame, geometry, tracks);
+constexpr double kCellVariance = 1.0 / 12.0;  // of an even spread over one cell
+constexpr double kLeastInformation = 0.25;    // share of the information that a hidden assignment leaves
+constexpr double kLongestStep = 1.5;          // [signatures] of one iteration
+constexpr double kReach = 3.0;                // [signatures] of a target beyond which it gives nothing
+constexpr double kUnrestMemory = 0.85;        // per frame
+constexpr double kMostSurprise = 8.0;         // that one frame counts for
+
+bool odd(int n) {
+  return n >= 1 && n % 2 == 1;
+}
+
+}  // namespace
+
+void check(const CellMeasurementParams& p) {
+  core::require(p.sigma.minCoeff() > 0.0, "sigma must be > 0", p.sigma.minCoeff());
+  core::require(odd(p.gate_columns), "gate_columns must be odd", p.gate_columns);
+  core::require(odd(p.gate_rows), "gate_rows must be odd", p.gate_rows);
+  core::require(p.iterations >= 1, "iterations must be >= 1", p.iterations);
+  core::require(p.threshold >= 0.0, "threshold must be >= 0", p.threshold);
+  core::require(p.intensity_memory >= 0.0 && p.intensity_memory < 1.0, "intensity_memory must be in [0, 1)",
+                p.intensity_memory);
+  core::require(p.min_intensity > 0.0, "min_intensity must be > 0", p.min_intensity);
+  core::require_not_negative("systematic", p.systematic);
+  core::require(p.gate > 0.0, "gate must be > 0", p.gate);
+  core::require(p.variance_factor > 0.0, "variance_factor must be > 0", p.variance_factor);
+}
+
+void CellMeasurement::update(const ScaleSpace& scales, const CellGeometry& geometry,
+                             std::span<CellTrack> tracks, std::span<const Eigen::Vector2d> starts) {
+  start(scales, geometry, tracks, starts);
   for (int i = 0; i < params_.iterations; ++i) {
-    for (Cloud& cloud : clouds_)
-      if (cloud.active) open_gate(frame, cloud);
-    for (std::size_t k = 0; k < clouds_.size(); ++k)
-      if (clouds_[k].active) collect(frame, k);
-    for (std::size_t k = 0; k < clouds_.size(); ++k)
-      if (clouds_[k].active) correct(geometry, clouds_[k], tracks[k]);
+    for (std::size_t k = 0; k < tracks.size(); ++k)
+      if (clouds_[k].active) open_gate(scales.scales()[clouds_[k].scale], clouds_[k]);
+    for (std::size_t k = 0; k < tracks.size(); ++k)
+      if (clouds_[k].active) collect(scales, k);
+    for (std::size_t k = 0; k < tracks.size(); ++k)
+      if (clouds_[k].active) correct(scales.scales()[clouds_[k].scale], geometry, clouds_[k], tracks[k]);
   }
-  for (std::size_t k = 0; k < tracks.size(); ++k)
-    tracks[k].measured = clouds_[k].active && clouds_[k].intensity >= params_.min_intensity;
-  for (std::size_t k = 0; k < clouds_.size(); ++k)
-    if (clouds_[k].active)
-      tracks[k].intensity += (1.0 - params_.intensity_memory) * (clouds_[k].intensity - tracks[k].intensity);
+  for (std::size_t k = 0; k < tracks.size(); ++k) finish(clouds_[k], tracks[k]);
 }
 
-/// Displayed intensity per cell of the frame: lambda_0, the few targets being a small part of it.
-double CellMeasurement::mean_displayed(const IntensityFrame& frame) const {
-  double sum = 0.0;
-  for (const double value : frame.values) sum += value > params_.threshold ? value : 0.0;
-  return std::max(1e-6, sum / static_cast<double>(frame.values.size()));
-}
-
-void CellMeasurement::start(const IntensityFrame& frame, const CellGeometry& geometry,
-                            const std::vector<CellTrack>& tracks) {
+void CellMeasurement::start(const ScaleSpace& scales, const CellGeometry& geometry,
+                            std::span<const CellTrack> tracks, std::span<const Eigen::Vector2d> starts) {
   if (clouds_.size() < tracks.size()) clouds_.resize(tracks.size());
   for (Cloud& cloud : clouds_) cloud.active = false;
   for (std::size_t k = 0; k < tracks.size(); ++k) {
     Cloud& cloud = clouds_[k];
+    const CellView view = geometry.observe(tracks[k].state.head<2>());
+    cloud.scale = static_cast<std::size_t>(tracks[k].scale);
+    const ScaledFrame& scaled = scales.scales()[cloud.scale];
     cloud.predicted = tracks[k].state;
     cloud.covariance = tracks[k].covariance;
-    cloud.view = geometry.observe(tracks[k].state.head<2>());
-    cloud.active = cloud.view.inside;
-    cloud.mean = cloud.view.cell;
+    cloud.view = scaled.to_scale(view);
+    cloud.active = view.inside;
+    cloud.found = false;
+    cloud.mean = scaled.to_scale(starts[k]);
     cloud.intensity = std::max(params_.min_intensity, tracks[k].intensity);
   }
-  cells_.reserve(frame.values.size() / 8);
 }
 
-void CellMeasurement::open_gate(const IntensityFrame& frame, Cloud& cloud) const {
+void CellMeasurement::open_gate(const ScaledFrame& scaled, Cloud& cloud) const {
+  const int columns = scaled.frame.columns, rows = scaled.frame.rows;
   const int column = static_cast<int>(std::floor(cloud.mean.x()));
   const int row = static_cast<int>(std::floor(cloud.mean.y()));
   CellWindow& gate = cloud.gate;
-  gate.first_column = std::clamp(column - params_.gate_columns / 2, 0, frame.columns);
-  gate.last_column = std::clamp(column + params_.gate_columns / 2 + 1, 0, frame.columns);
-  gate.first_row = std::clamp(row - params_.gate_rows / 2, 0, frame.rows);
-  gate.last_row = std::clamp(row + params_.gate_rows / 2 + 1, 0, frame.rows);
+  gate.first_column = std::clamp(column - params_.gate_columns / 2, 0, columns);
+  gate.last_column = std::clamp(column + params_.gate_columns / 2 + 1, 0, columns);
+  gate.first_row = std::clamp(row - params_.gate_rows / 2, 0, rows);
+  gate.last_row = std::clamp(row + params_.gate_rows / 2 + 1, 0, rows);
   const Eigen::Array2d variance = params_.sigma.array().square();
   cloud.x.compute(cloud.mean.x(), variance.x(), gate.first_column, gate.columns());
   cloud.y.compute(cloud.mean.y(), variance.y(), gate.first_row, gate.rows());
 }
 
-/// Shares each displayed cell of the gate among background and targets.
-void CellMeasurement::collect(const IntensityFrame& frame, std::size_t k) {
-  Cloud& own = clouds_[k];
-  own.next_intensity = 0.0;
-  own.first.setZero();
-  collect_displayed(frame, params_.threshold, own.gate, 1, cells_);
-  for (const DisplayedCell& cell : cells_) {
-    double expected = background_;
-    for (const Cloud& cloud : clouds_) {
-      if (!cloud.active || !cloud.gate.contains(cell.column, cell.row)) continue;
-      expected += cloud.intensity *
-                  cloud.x.probability()[static_cast<std::size_t>(cell.column - cloud.gate.first_column)] *
-                  cloud.y.probability()[static_cast<std::size_t>(cell.row - cloud.gate.first_row)];
-    }
-    const auto column = static_cast<std::size_t>(cell.column - own.gate.first_column);
-    const auto row = static_cast<std::size_t>(cell.row - own.gate.first_row);
-    const double weight = own.intensity * cell.intensity / expected;
-    own.next_intensity += weight * own.x.probability()[column] * own.y.probability()[row];
-    own.first.x() += weight * own.x.first()[column] * own.y.probability()[row];
-    own.first.y() += weight * own.x.probability()[column] * own.y.first()[row];
+/// Overwrites neighbours_ with the other clouds that reach the gate of cloud k.
+void CellMeasurement::find_neighbours(const ScaleSpace& scales, std::size_t k) {
+  neighbours_.clear();
+  const Cloud& own = clouds_[k];
+  const Eigen::Array2d half(0.5 * params_.gate_columns, 0.5 * params_.gate_rows);
+  for (std::size_t j = 0; j < clouds_.size(); ++j) {
+    if (j == k || !clouds_[j].active) continue;
+    const Eigen::Array2d ratio = scales.scales()[clouds_[j].scale].cells_of(scales.scales()[own.scale]);
+    const Eigen::Array2d apart = (clouds_[j].mean.array() * ratio - own.mean.array()).abs();
+    if ((apart < half + kReach * params_.sigma.array() * ratio).all()) neighbours_.push_back(j);
   }
 }
 
+/// What another target gives to a cell of a scale. Where it is measured in another scale: by its density
+/// there; the deviation of a pooled cell, its unit, falls as the root of the cells pooled.
+double CellMeasurement::intensity_of(const ScaleSpace& scales, const Cloud& cloud, const ScaledFrame& scaled,
+                                     int column, int row) const {
+  const ScaledFrame& own = scales.scales()[cloud.scale];
+  if (own.scale == scaled.scale) {
+    if (!cloud.gate.contains(column, row)) return 0.0;
+    return cloud.intensity *
+           cloud.x.probability()[static_cast<std::size_t>(column - cloud.gate.first_column)] *
+           cloud.y.probability()[static_cast<std::size_t>(row - cloud.gate.first_row)];
+  }
+  const Eigen::Array2d ratio = own.cells_of(scaled);
+  const Eigen::Array2d sigma = params_.sigma.array() * ratio;
+  const Eigen::Array2d off = (Eigen::Array2d(column + 0.5, row + 0.5) - cloud.mean.array() * ratio) / sigma;
+  const double density = std::exp(-0.5 * off.square().sum()) / (2.0 * std::numbers::pi * sigma.prod());
+  return cloud.intensity * std::sqrt(ratio.prod()) * density;
+}
+
+/// Shares each cell of the gate among background and targets.
+void CellMeasurement::collect(const ScaleSpace& scales, std::size_t k) {
+  const ScaledFrame& scaled = scales.scales()[clouds_[k].scale];
+  find_neighbours(scales, k);
+  Cloud& own = clouds_[k];
+  Sums& sums = own.sums = {};
+  for (int row = own.gate.first_row; row < own.gate.last_row; ++row)
+    for (int column = own.gate.first_column; column < own.gate.last_column; ++column) {
+      const auto i = static_cast<std::size_t>(column - own.gate.first_column);
+      const auto j = static_cast<std::size_t>(row - own.gate.first_row);
+      const double px = own.x.probability()[i], py = own.y.probability()[j];
+      double expected = scaled.displayed_mean + own.intensity * px * py;
+      for (const std::size_t n : neighbours_)
+        expected += intensity_of(scales, clouds_[n], scaled, column, row);
+      const double share = own.intensity * px * py / expected;
+      const Eigen::Array2d off(column + 0.5 - own.mean.x(), row + 0.5 - own.mean.y());
+      sums.noise += share * share * off.square();
+      const double value = scaled.frame.at(column, row);
+      if (value <= params_.threshold) continue;
+      sums.intensity += value * share;
+      sums.missing += value * share * ((1.0 - share) * off.square() + kCellVariance);
+      const double weight = own.intensity * value / expected;
+      sums.first.x() += weight * own.x.first()[i] * py;
+      sums.first.y() += weight * px * own.y.first()[j];
+    }
+}
+
 /// Kalman update of the prediction with the synthetic measurement, linearised at the prediction.
-void CellMeasurement::correct(const CellGeometry& geometry, Cloud& cloud, CellTrack& track) const {
-  cloud.intensity = std::max(cloud.next_intensity, 1e-3 * params_.min_intensity);
-  if (cloud.next_intensity < params_.min_intensity) return;
-  const Eigen::Vector2d measured = cloud.mean + cloud.first / cloud.next_intensity;
+void CellMeasurement::correct(const ScaledFrame& scaled, const CellGeometry& geometry, Cloud& cloud,
+                              CellTrack& track) const {
+  const Sums& sums = cloud.sums;
+  cloud.intensity = std::max(sums.intensity, 1e-3 * params_.min_intensity);
+  cloud.found = sums.intensity >= params_.min_intensity;
+  if (!cloud.found) return;
+  const Eigen::Array2d variance = params_.sigma.array().square();
+  const Eigen::Array2d kept = (1.0 - sums.missing / (sums.intensity * variance)).cwiseMax(kLeastInformation);
+  const Eigen::Array2d longest = kLongestStep * params_.sigma.array();
+  const Eigen::Array2d step =
+      (sums.first.array() / (sums.intensity * kept)).cwiseMax(-longest).cwiseMin(longest);
+  const Eigen::Vector2d measured = cloud.mean + step.matrix();
+  const Eigen::Array2d noise = params_.variance_factor * scaled.correlation * scaled.displayed_variance *
+                               sums.noise / (sums.intensity * kept).square();
   const Eigen::Matrix<double, 4, 2> PH = cloud.covariance.leftCols<2>() * cloud.view.jacobian.transpose();
   Eigen::Matrix2d S = cloud.view.jacobian * PH.topRows<2>();
-  S.diagonal().array() += params_.variance_factor / cloud.next_intensity * params_.sigma.array().square();
-  const Eigen::Matrix<double, 4, 2> gain = PH * S.inverse();
-  track.state = cloud.predicted + gain * (measured - cloud.view.cell);
+  S.diagonal() += noise.matrix();
+  const Eigen::Matrix2d S_inverse = S.inverse();
+  const Eigen::Vector2d innovation = measured - cloud.view.cell;
+  const double distance = innovation.dot(S_inverse * innovation);
+  cloud.surprise = 0.5 * distance;
+  cloud.found = distance <= params_.gate;
+  const Eigen::Matrix<double, 4, 2> gain = PH * S_inverse;
+  track.state = cloud.predicted + gain * innovation;
   track.covariance = cloud.covariance - gain * PH.transpose();
   track.covariance = (0.5 * (track.covariance + track.covariance.transpose())).eval();
-  cloud.mean = geometry.observe(track.state.head<2>()).cell;
+  cloud.mean = scaled.to_scale(geometry.observe(track.state.head<2>())).cell;
+}
+
+/// What lies outside its gate is not the target: the prediction stands.
+void CellMeasurement::finish(const Cloud& cloud, CellTrack& track) const {
+  track.measured = cloud.active && cloud.found;
+  if (!cloud.active) return;
+  track.intensity += (1.0 - params_.intensity_memory) * (cloud.intensity - track.intensity);
+  track.unrest += (1.0 - kUnrestMemory) * (std::min(cloud.surprise, kMostSurprise) - track.unrest);
+  if (cloud.found) return;
+  track.state = cloud.predicted;
+  track.covariance = cloud.covariance;
 }
 
 }  // namespace lookout::tracking

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -16,13 +18,32 @@ struct CellTrack {
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`.
   double existence = 0.0;                                ///< Probability that there is a target.
   double intensity = 0.0;                                ///< Smoothed lambda [background level].
-  bool measured = false;             ///< Whether the last frame held intensity of its signature.
-  bool confirmed = false;            ///< Once true, it stays so.
-  bool inside = true;                ///< In the image at the last frame.
-  int age = 0;                       ///< Frames since its first.
-  double first_time = 0.0;           ///< [s]
-  double last_detection_time = 0.0;  ///< When its block last ranked in the best twentieth [s].
-  double outside_since = 0.0;        ///< [s], while not inside.
+  bool measured = false;     ///< Whether the last frame held intensity of its signature.
+  bool confirmed = false;    ///< Once true, it stays so.
+  double moving = 1.0;       ///< Probability that it moves over ground.
+  double unrest = 1.0;       ///< Squared innovations over what is expected, smoothed; 1 on a steady course.
+  double moving_odds = 5.0;  ///< Prior odds that it moves.
+  double least_existence = 0.0;          ///< Below it a tentative track is given up.
+  int scale = 0;                         ///< Of the cells in which it is measured.
+  Eigen::Vector2d signature{0, 0};       ///< Standard deviation of its intensity [m, rad; px].
+  bool inside = true;                    ///< In the image at the last frame.
+  int age = 0;                           ///< Frames since its first.
+  Eigen::Vector2d first_position{0, 0};  ///< Where it began.
+  double first_time = 0.0;               ///< [s]
+  double last_detection_time = 0.0;      ///< When its block last ranked in the best twentieth [s].
+  double outside_since = 0.0;            ///< [s], while not inside.
+
+  static constexpr std::size_t kMostScales = 64;  ///< That a frame is looked at in.
+  Eigen::Matrix2d systematic =
+      Eigen::Matrix2d::Zero();  ///< Error of the position that repeats, beside `covariance`.
+  /// ln of the probability of its block without a target, by scale, smoothed.
+  std::array<float, kMostScales> scale_score{};
+};
+
+/// What a tracker claims of the frame it last took, for the background to learn by.
+struct CellClaims {
+  std::vector<CellWindow> targets;   ///< Cells that may hold a target: no background.
+  std::vector<CellWindow> standing;  ///< Cells of what was found to stand: background from now on.
 };
 
 /// A tracker of an unknown number of targets in frames whose background is about 1, wherever its cells lie.
@@ -33,6 +54,8 @@ class CellTargetTracker {
   /// Takes the frame at `time` [s]; times increase. The tracks stay valid until the next call.
   virtual const std::vector<CellTrack>& update(const IntensityFrame& frame, const CellGeometry& geometry,
                                                double time) = 0;
+  /// Of the last frame; valid until the next. None of a tracker that leaves the cells to no memory.
+  virtual const CellClaims* claims() const { return nullptr; }
   virtual void reset() = 0;  ///< Forgets all tracks; ids go on.
 };
 

@@ -3,8 +3,8 @@
 namespace lookout::tracking {
 
 ImageChain::ImageChain(const core::SonarParams& configured, std::string_view method, OnResult on_result,
-                       Report report, const IntakeParams& params)
-    : tracker_(method),
+                       Report report, const InstrumentParams& instrument, const IntakeParams& params)
+    : tracker_(method, {instrument.pulse_length, instrument.beam_width, configured.max_speed}),
       on_result_(std::move(on_result)),
       intake_(configured,
               {[this](const core::PosedImage& posed) { track(posed); }, [this] { tracker_.reset(); },

@@ -5,14 +5,21 @@
 #include <stdexcept>
 
 #include "core/beam_bearings.hpp"
+#include "core/parameter_check.hpp"
 
 namespace lookout::tracking {
 namespace {
 
 constexpr std::array<std::string_view, 3> kNames{"h_pmht", "mf_nn", "cfar_nn"};
 
-std::unique_ptr<CellTargetTracker> make_targets(std::string_view method) {
-  if (method == "h_pmht") return std::make_unique<CellTracker>();
+constexpr double kWidthOfDeviation = 2.3548;    // full width at half amplitude of a normal density
+constexpr double kNextScale = 1.42;             // half of the way to the next scale, as a ratio
+constexpr double kSpeedMargin = 4.0 / 3.0;      // of an estimate over the fastest target
+constexpr double kStartSpeedShare = 1.0 / 3.0;  // of the fastest target: deviation of an unknown velocity
+constexpr double kMovingSpeedShare = 0.5;       // and of the velocity of what moves, against what stands
+
+std::unique_ptr<CellTargetTracker> make_targets(std::string_view method, const InstrumentParams& instrument) {
+  if (method == "h_pmht") return std::make_unique<CellTracker>(sonar_tracker_params(instrument));
   if (method == "mf_nn") return std::make_unique<PeakTracker>(matched_filter_baseline());
   if (method == "cfar_nn") return std::make_unique<PeakTracker>(cfar_baseline());
   throw std::invalid_argument("image tracker must be h_pmht, mf_nn or cfar_nn, got " + std::string(method));
@@ -47,17 +54,33 @@ std::string image_fault(const core::PosedImage& posed) {
   return "";
 }
 
-ImageTracker::ImageTracker(std::string_view method) : targets_(make_targets(method)) {}
+CellTrackerParams sonar_tracker_params(const InstrumentParams& instrument) {
+  core::require_not_negative("pulse_length", instrument.pulse_length);
+  core::require_not_negative("beam_width", instrument.beam_width);
+  core::require_positive("max_speed", instrument.max_speed);
+  CellTrackerParams params;
+  params.scales.signature =
+      Eigen::Vector2d(instrument.pulse_length, instrument.beam_width) / kWidthOfDeviation;
+  params.scales.largest = params.scales.largest.cwiseMax(kNextScale * params.scales.signature);
+  params.motion.max_speed = kSpeedMargin * instrument.max_speed;
+  params.motion.start_speed_sigma = kStartSpeedShare * instrument.max_speed;
+  params.standing.speed_sigma = kMovingSpeedShare * instrument.max_speed;
+  return params;
+}
+
+ImageTracker::ImageTracker(std::string_view method, const InstrumentParams& instrument)
+    : targets_(make_targets(method, instrument)) {}
 
 ImageTracker::ImageTracker(std::unique_ptr<CellTargetTracker> targets,
-                           const RangeBackgroundParams& background)
+                           const ImageBackgroundParams& background)
     : background_(background), targets_(std::move(targets)) {}
 
 std::span<const core::Track> ImageTracker::update(const core::PosedImage& posed) {
   if (!accept(posed)) return tracks_;
   const SonarCellGeometry geometry(posed);
-  const IntensityFrame& frame = background_.normalise(posed.image);
+  const IntensityFrame& frame = background_.normalise(posed);
   publish(targets_->update(frame, geometry, core::seconds(posed.image.utime)));
+  if (const CellClaims* claims = targets_->claims()) background_.learn(claims->targets, claims->standing);
   return tracks_;
 }
 
@@ -84,6 +107,7 @@ void ImageTracker::publish(const std::vector<CellTrack>& tracks) {
     out.status = status_of(track);
     out.state = track.state;
     out.covariance = track.covariance;
+    out.covariance.topLeftCorner<2, 2>() += track.systematic;
     out.existence = track.existence;
     out.first_utime = core::microseconds(track.first_time);
     out.last_detection_utime = core::microseconds(track.last_detection_time);

@@ -10,8 +10,8 @@
 #include "core/sonar_image.hpp"
 #include "core/track.hpp"
 #include "tracking/track_before_detect/images/cell_tracker.hpp"
+#include "tracking/track_before_detect/images/image_background.hpp"
 #include "tracking/track_before_detect/images/peak_tracker.hpp"
-#include "tracking/track_before_detect/images/range_background.hpp"
 
 namespace lookout::tracking {
 
@@ -22,6 +22,17 @@ struct ImageCounts {
   std::int64_t out_of_order = 0;  ///< Not later than the image before.
 };
 
+/// What is known of the instrument and its targets beside the image's own geometry.
+struct InstrumentParams {
+  double pulse_length =
+      0.0;  ///< Full width of an echo at half its amplitude [m], >= 0; 0: found in the images.
+  double beam_width = 0.0;  ///< The same across beams [rad], >= 0; 0: found in the images.
+  double max_speed = 3.0;   ///< Fastest target over ground [m/s], > 0.
+};
+
+/// The cell tracker's parameters for an instrument. @throws std::invalid_argument for a value out of range.
+CellTrackerParams sonar_tracker_params(const InstrumentParams& instrument);
+
 /// Names of the registry: "h_pmht", and the baselines "mf_nn" and "cfar_nn".
 std::span<const std::string_view> image_tracker_names();
 
@@ -29,9 +40,9 @@ std::span<const std::string_view> image_tracker_names();
 class ImageTracker {
  public:
   /// @throws std::invalid_argument for a name that is none of image_tracker_names().
-  explicit ImageTracker(std::string_view method = "h_pmht");
+  explicit ImageTracker(std::string_view method = "h_pmht", const InstrumentParams& instrument = {});
   /// With parameters of one's own.
-  ImageTracker(std::unique_ptr<CellTargetTracker> targets, const RangeBackgroundParams& background);
+  ImageTracker(std::unique_ptr<CellTargetTracker> targets, const ImageBackgroundParams& background);
 
   /// Takes one image; valid until the next call. A damaged image or one out of order is counted and leaves
   /// the tracks as they were.
@@ -46,7 +57,7 @@ class ImageTracker {
   bool accept(const core::PosedImage& posed);
   void publish(const std::vector<CellTrack>& tracks);
 
-  RangeBackground background_;
+  ImageBackground background_;
   std::unique_ptr<CellTargetTracker> targets_;
   std::vector<core::Track> tracks_;
   ImageCounts counts_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "core/parameter_check.hpp"
 
@@ -41,15 +42,19 @@ MatchedFilter::MatchedFilter(const MatchedFilterParams& params) : params_(params
   check(params);
   kernel_x_ = gaussian_kernel(params.sigma.x());
   kernel_y_ = gaussian_kernel(params.sigma.y());
+  gain_ = std::accumulate(kernel_x_.begin(), kernel_x_.end(), 0.0) *
+          std::accumulate(kernel_y_.begin(), kernel_y_.end(), 0.0);
 }
 
-void MatchedFilter::apply(const IntensityFrame& frame) {
+void MatchedFilter::apply(const IntensityFrame& frame, std::span<const CellWindow> left_out,
+                          std::span<const float> divisors) {
   columns_ = frame.columns;
   rows_ = frame.rows;
   filter_rows(frame);
   filter_columns();
+  for (std::size_t cell = 0; cell < divisors.size(); ++cell) filtered_[cell] /= divisors[cell];
   find_maxima();
-  tile({});
+  tile(left_out);
 }
 
 void MatchedFilter::leave_out(std::span<const CellWindow> windows) {

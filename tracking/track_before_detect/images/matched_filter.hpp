@@ -29,7 +29,10 @@ class MatchedFilter {
   /// @throws std::invalid_argument naming the parameter out of range.
   explicit MatchedFilter(const MatchedFilterParams& params = {});
 
-  void apply(const IntensityFrame& frame);  ///< Filters a frame.
+  /// Filters a frame; the tiling leaves out the blocks whose centre lies in one of the windows.
+  /// @param divisors of each filtered cell, > 0; empty: all 1.
+  void apply(const IntensityFrame& frame, std::span<const CellWindow> left_out = {},
+             std::span<const float> divisors = {});
   /// Leaves out of the tiling the blocks whose centre lies in one of the windows, so that known
   /// targets do not lower the rank of others. Until the next `apply`.
   void leave_out(std::span<const CellWindow> windows);
@@ -46,6 +49,12 @@ class MatchedFilter {
   /// strongest first.
   void find_peaks(double threshold, std::vector<FramePeak>& peaks) const;
 
+  const std::vector<double>& filtered() const { return filtered_; }  ///< Row by row.
+  std::span<const double> tiles() const { return tiles_; }  ///< Maxima of the tiling blocks, ascending.
+  /// Filtered amplitude that a constant frame of level 1 would have, its mean not being taken off.
+  double gain() const { return gain_; }
+  const MatchedFilterParams& params() const { return params_; }  ///< As given.
+
   int columns() const { return columns_; }  ///< Of the frame at hand.
   int rows() const { return rows_; }        ///< Of the frame at hand.
 
@@ -61,6 +70,7 @@ class MatchedFilter {
 
   MatchedFilterParams params_;
   int columns_ = 0, rows_ = 0;
+  double gain_ = 1.0;
   std::vector<double> kernel_x_, kernel_y_;
   std::vector<double> scratch_, filtered_, maximum_;
   std::vector<double> tiles_;  ///< Maxima of the tiling blocks, ascending.

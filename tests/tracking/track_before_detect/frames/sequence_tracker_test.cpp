@@ -40,6 +40,19 @@ TEST(SequenceTracker, WithoutAStartItFindsTheTargetAndEndsWhatItStartsBesideIt) 
   EXPECT_GT(last[0].existence, 0.9);
 }
 
+// In intensities that hold nothing the method has nothing to go by: the spot of the grey levels is reported.
+TEST(SequenceTracker, WhereTheMethodDepartsTheSpotCounts) {
+  core::Random random(1006);
+  SequenceTracker tracker("i_h_pmht_4", {});
+  std::vector<FrameTrack> last;
+  for (int k = 0; k < 12; ++k) {
+    const IntensityFrame bright = blobs({{30.0 + k, 40.0}}, 20.0, random), nothing = blobs({}, 0.0, random);
+    last = tracker.process({&nothing, 1}, {&kStep, 1}, {&bright.values, 1})[0];
+  }
+  ASSERT_EQ(last.size(), 1u);
+  EXPECT_LT((last[0].state.head<2>() - Eigen::Vector2d(41.0, 40.0)).norm(), 3.0);
+}
+
 TEST(SequenceTracker, TheSignatureFollowsTheArea) {
   TbdParams params;
   params.target_area = 4.0 * M_PI * 9.0;  // A disc of variance 9 along each axis.

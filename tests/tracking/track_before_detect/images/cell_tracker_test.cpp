@@ -10,9 +10,18 @@
 namespace lookout::tracking {
 namespace {
 
+/// Of pictures, in which a target may stand.
+CellTrackerParams of_pictures() {
+  CellTrackerParams params;
+  params.standing.judged = false;
+  params.scales.same_on_both_axes = true;
+  params.scales.largest = {1.5, 1.5};
+  return params;
+}
+
 TEST(CellTracker, APixelTargetIsConfirmedAndFollowed) {
   core::Random random(1000);
-  CellTracker tracker;
+  CellTracker tracker(of_pictures());
   const PixelGeometry geometry(120, 80);
   std::vector<CellTrack> tracks;
   for (int t = 0; t < 30; ++t)
@@ -26,7 +35,7 @@ TEST(CellTracker, APixelTargetIsConfirmedAndFollowed) {
 
 TEST(CellTracker, ATrackWithoutItsTargetEnds) {
   core::Random random(1001);
-  CellTracker tracker;
+  CellTracker tracker(of_pictures());
   const PixelGeometry geometry(120, 80);
   std::vector<CellTrack> tracks;
   for (int t = 0; t < 20; ++t) tracks = tracker.update(blobs({{50.0, 40.0}}, 6.0, random), geometry, t);
@@ -41,7 +50,7 @@ TEST(CellTracker, ATrackWithoutItsTargetEnds) {
 // target, once confirmed, held the target's place with an error of metres.
 TEST(CellTracker, ABrightBlockThatATrackDoesNotMeasureConfirmsNothing) {
   core::Random random(1002);
-  CellTrackerParams params;
+  CellTrackerParams params = of_pictures();
   params.measurement.min_intensity = 1e6;
   CellTracker tracker(params);
   const PixelGeometry geometry(120, 80);
@@ -53,9 +62,41 @@ TEST(CellTracker, ABrightBlockThatATrackDoesNotMeasureConfirmsNothing) {
   }
 }
 
+TEST(CellTracker, WhatStandsIsClaimedAsBackgroundAndConfirmedNoLonger) {
+  core::Random random(1003);
+  CellTrackerParams params = of_pictures();
+  params.standing.judged = true;
+  CellTracker tracker(params);
+  const PixelGeometry geometry(120, 80);
+  bool said_to_stand = false;
+  for (int t = 0; t < 30; ++t) {
+    tracker.update(blobs({{50.0, 40.0}}, 6.0, random), geometry, t);
+    for (const CellWindow& window : tracker.claims()->standing) said_to_stand |= window.contains(50, 40);
+  }
+  EXPECT_TRUE(said_to_stand);
+  for (const CellTrack& track : tracker.tracks())
+    EXPECT_FALSE(track.confirmed && (track.state.head<2>() - Eigen::Vector2d(50.0, 40.0)).norm() < 3.0);
+}
+
+TEST(CellTracker, ATargetFasterThanItsSignatureAFrameIsFollowed) {
+  core::Random random(1004);
+  CellTrackerParams params = of_pictures();
+  params.motion.start_speed_sigma = 4.0;
+  params.motion.max_speed = 12.0;
+  CellTracker tracker(params);
+  const PixelGeometry geometry(120, 80);
+  for (int t = 0; t < 12; ++t) tracker.update(blobs({{10.0 + 8.0 * t, 40.0}}, 8.0, random), geometry, t);
+  const auto& tracks = tracker.tracks();
+  const auto found =
+      std::find_if(tracks.begin(), tracks.end(), [](const CellTrack& t) { return t.confirmed; });
+  ASSERT_NE(found, tracks.end());
+  EXPECT_NEAR(found->state[0], 98.0, 1.0);
+  EXPECT_NEAR(found->state[2], 8.0, 0.3);
+}
+
 TEST(CellTracker, RefusesParametersOutOfRange) {
   CellTrackerParams params;
-  params.existence.survival = 0.0;
+  params.existence.lifetime = 0.0;
   EXPECT_THROW(CellTracker{params}, std::invalid_argument);
   params = {};
   params.measurement.gate_columns = 16;
