@@ -84,6 +84,7 @@ motion_element_t element_to_wire(const core::MotionElement& element) {
 
 bool is_valid(const track_t& wire) {
   return wire.status >= 0 && wire.status <= kLastStatus && is_probability(wire.existence) &&
+         is_probability(wire.moving) &&
          all_finite({wire.north, wire.east, wire.north_velocity, wire.east_velocity}) &&
          all_finite_covariance(wire.covariance) && is_time(wire.first_utime) &&
          is_time(wire.last_detection_utime);
@@ -96,6 +97,7 @@ core::Track track_to_core(const track_t& wire) {
   track.state << wire.north, wire.east, wire.north_velocity, wire.east_velocity;
   track.covariance = to_matrix(wire.covariance);
   track.existence = wire.existence;
+  track.moving = wire.moving;
   track.first_utime = wire.first_utime;
   track.last_detection_utime = wire.last_detection_utime;
   return track;
@@ -111,6 +113,7 @@ track_t track_to_wire(const core::Track& track) {
   wire.east_velocity = track.state[3];
   copy(track.covariance, wire.covariance);
   wire.existence = track.existence;
+  wire.moving = track.moving;
   wire.first_utime = track.first_utime;
   wire.last_detection_utime = track.last_detection_utime;
   return wire;

@@ -29,8 +29,9 @@ def style(index, markersize=4):
             "marker": MARKERS[index % len(MARKERS)], "markersize": markersize, "linewidth": 1.2}
 
 
-def draw_band(axis, x, mean, half_width, index, label, every=10):
-    """A curve over time with its 95 % band; a marker at each `every`-th point."""
+def draw_band(axis, x, mean, half_width, index, label):
+    """A curve over time with its 95 % band; a marker at each tenth point."""
+    every = 10
     look = style(index)
     axis.plot(x, mean, label=label, markevery=(index % every, every), **look)
     low = [m - h for m, h in zip(mean, half_width)]

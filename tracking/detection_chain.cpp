@@ -71,6 +71,15 @@ void DetectionChain::add(const core::SonarImage& image) {
   count();
 }
 
+void DetectionChain::shed(const core::SonarImage& image) {
+  core::SonarScan scan;  // What is counted of it needs no returns.
+  scan.utime = image.utime;
+  scan.sequence = image.sequence;
+  scan.sensor_id = image.sensor_id;
+  chain_.shed(scan);
+  count();
+}
+
 void DetectionChain::finish() {
   chain_.finish();
   count();

@@ -66,8 +66,10 @@ class DetectionChain {
 
   void add(const core::VehicleState& state);  ///< Takes a vehicle state.
   void add(const core::SonarImage& image);    ///< Takes an image. A bad one is counted and left out.
-  void finish();                              ///< There is no more data: gives what still waits.
-  void start_new_clock();                     ///< What comes now is on another clock.
+  /// An image came for which there is no time: it is counted and left out.
+  void shed(const core::SonarImage& image);
+  void finish();           ///< There is no more data: gives what still waits.
+  void start_new_clock();  ///< What comes now is on another clock.
 
   const IntakeCounts& counts() const { return counts_; }  ///< Of the images, damaged ones among them.
   DetectionCounts detections() const { return detector_.counts(); }  ///< Of the returns.

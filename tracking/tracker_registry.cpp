@@ -66,6 +66,7 @@ std::unique_ptr<Tracker> make_joint(const TrackerParams& params, const core::Son
   JointTrackerParams joint;
   joint.life.coast_s = params.coast_s;
   joint.report.report_all = params.report_all;
+  joint.report.standing.report = params.report_standing;
   joint.report.min_existence = joint.learning.least_existence = params.min_existence;
   set_own(params, "joint", joint);
   return std::make_unique<JointTracker>(joint, sonar, seed,
@@ -129,6 +130,7 @@ void read_output_params(const core::YamlMap& map, TrackerParams& params) {
   const auto threshold = map.optional_number("min_existence", core::kProbability);
   params.report_all = params.report_all || threshold.has_value();
   params.min_existence = threshold.value_or(params.min_existence);
+  params.report_standing = map.flag("standing", params.report_standing);
   map.finish();
 }
 

@@ -30,6 +30,7 @@ struct TrackerParams {
   /// Values of trackers' own parameters, by tracker and path (docs/parameters.md); only those of `name`
   /// count.
   std::map<std::string, core::ParameterValues> own;
+  bool report_standing = true;  ///< Report what stands still over ground, too.
 };
 
 /// Reads `name`, `coast_s`, `initiator` and the trackers' own parameters of `tracker:`, and calls
@@ -37,8 +38,8 @@ struct TrackerParams {
 /// @throws core::InputError on an unknown key or name, or a value out of range.
 void read_tracker_params(const core::YamlMap& map, TrackerParams& params);
 
-/// Reads `min_existence` of `output:`, and calls map.finish(). A threshold that is given asks for every track
-/// above it. @throws core::InputError on an unknown key or a value out of range.
+/// Reads `min_existence` and `standing` of `output:`, and calls map.finish(). A threshold that is given asks
+/// for every track above it. @throws core::InputError on an unknown key or a value out of range.
 void read_output_params(const core::YamlMap& map, TrackerParams& params);
 
 /// Makes a tracker from what a user chose, what is told of the sensor and the seed of its draws; never null.

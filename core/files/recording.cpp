@@ -23,7 +23,7 @@ using Columns = std::string_view;
 constexpr Columns kVehicleHeader = "time_s,north_m,east_m,heading_rad";
 constexpr Columns kTruthHeader = "time_s,id,north_m,east_m,north_velocity_mps,east_velocity_mps,visible";
 constexpr Columns kTracksHeader =
-    "time_s,id,status,north_m,east_m,north_velocity_mps,east_velocity_mps,existence";
+    "time_s,id,status,north_m,east_m,north_velocity_mps,east_velocity_mps,existence,moving";
 constexpr Columns kElementsHeader =
     "time_s,north_m,east_m,north_velocity_mps,east_velocity_mps,initial_time_s,initial_north_m,initial_east_"
     "m,"
@@ -275,7 +275,7 @@ void write_tracks(const std::string& path, const std::vector<TrackList>& lists) 
   for (std::size_t i = 0; i < lists.size(); ++i) {
     for (const auto& track : lists[i].tracks) {
       csv.time(lists[i].utime).integer(track.id).text(to_string(track.status));
-      write_state(csv, track.position(), track.velocity()).number(track.existence);
+      write_state(csv, track.position(), track.velocity()).number(track.existence).number(track.moving);
       end_row(csv, clocks, i);
     }
   }
@@ -304,6 +304,7 @@ std::vector<TrackList> read_tracks(const std::string& path) {
     track.state << table.number(row, "north_m"), table.number(row, "east_m"),
         number_or(table, row, "north_velocity_mps", 0.0), number_or(table, row, "east_velocity_mps", 0.0);
     track.existence = number_or(table, row, "existence", 1.0);
+    track.moving = number_or(table, row, "moving", 1.0);
     list.tracks.push_back(track);
   }
   return std::move(lists).of_one_clock(path);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/parameter_check.hpp"
+#include "csht/joint/density/sensor_scale.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -32,8 +33,8 @@ const JointEstimatorParams& validated(const JointEstimatorParams& params) {
   return params;
 }
 
-JointEngineParams for_window(const JointEstimatorParams& params) {
-  JointEngineParams engine = params.alone;
+JointEngineParams for_window(const JointEstimatorParams& params, const core::SonarParams& sonar) {
+  JointEngineParams engine = scaled(params.alone, SensorScale::of(sonar));
   engine.scans_kept = params.window_scans;
   engine.learning.least_existence = params.min_existence;
   return engine;
@@ -61,12 +62,16 @@ JointEstimatorParams JointEstimatorParams::window() {
   params.alone.prior.interior_rate = 0.0;
   params.alone.prior.settling_rate = 0.0;
   params.alone.prior.in_view_from_start = true;
+  params.alone.clutter.map.enabled = false;  // A single window is too short to learn from.
   return params;
 }
 
 JointEstimator::JointEstimator(const JointEstimatorParams& params, const core::SonarParams& sonar,
                                std::uint64_t seed)
-    : params_(validated(params)), sonar_(sonar), seed_(seed), search_(params.engine) {}
+    : params_(validated(params)),
+      sonar_(sonar),
+      seed_(seed),
+      search_(scaled(params.engine, SensorScale::of(sonar))) {}
 
 std::span<const core::MotionElement> JointEstimator::update(const core::PosedScan& scan) {
   elements_.clear();
@@ -89,7 +94,7 @@ void JointEstimator::find_beyond(JointScene& scene) {
 
 void JointEstimator::estimate_alone(const core::PosedScan& scan) {
   if (!own_) {
-    const JointEngineParams engine = for_window(params_);
+    const JointEngineParams engine = for_window(params_, sonar_);
     own_.emplace(
         Own{JointScene(engine, sonar_, {seed_, core::RandomStream::estimator}), TargetSearch(engine)});
   }

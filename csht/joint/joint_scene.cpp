@@ -28,6 +28,7 @@ JointScene::JointScene(const JointEngineParams& params, const core::SonarParams&
       sampler(params.cloud, prior, random),
       undetected(params.birth, prior),
       learning(params.learning, sonar),
+      clutter(params.clutter, sonar),
       source_(source),
       looks_anew_(params.scans_kept.has_value()),
       max_tracks_(static_cast<std::size_t>(params.hypotheses.max_tracks)) {
@@ -45,9 +46,15 @@ JointScene::JointScene(const JointEngineParams& params, const core::SonarParams&
 double JointScene::take(const core::PosedScan& scan) {
   random.reseed(source_.seed, source_.stream, static_cast<std::uint64_t>(scan.scan.sequence));
   likelihood.push(scan, looks_anew_ ? 1.0 : undetected.relative());
+  clutter.price_newest(likelihood);
   const double seconds = scans().size() < 2 ? 0.0 : -scans().seconds_at_age(1);
   undetected.update(scans().newest(), scans().figures(), seconds);
   return seconds;
+}
+
+void JointScene::learn() {
+  learning.learn(tracks, likelihood);
+  clutter.learn(tracks, likelihood);
 }
 
 TargetTrack* JointScene::free_track() {

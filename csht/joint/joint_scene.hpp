@@ -6,6 +6,7 @@
 
 #include "core/random.hpp"
 #include "core/sonar_params.hpp"
+#include "csht/joint/clutter_learning.hpp"
 #include "csht/joint/density/engine_params.hpp"
 #include "csht/joint/density/target_track.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
@@ -35,13 +36,14 @@ class JointScene {
   TrajectorySampler sampler;        ///< Draws densities of trajectories under that likelihood.
   UndetectedTargets undetected;     ///< How many targets no track stands for.
   SensorLearning learning;          ///< The sensor's figures, from the same scans.
+  ClutterLearning clutter;          ///< Where false returns are dense, from the same scans.
   TrajectoryCloud fresh;            ///< Where a cloud is drawn before it replaces another.
   std::vector<TargetTrack> tracks;  ///< Slots, used again when free.
 
   /// Takes the next scan, later than all before it. @return seconds since the one before; 0 for the first.
   double take(const core::PosedScan& scan);
 
-  void learn() { learning.learn(tracks, likelihood); }  ///< The sensor's figures from the newest scan.
+  void learn();  ///< The sensor's figures and the density of false returns, from the newest scan.
 
   const ScanHistory& scans() const { return likelihood.scans(); }  ///< Those in memory.
   std::int64_t now() const { return scans().newest().utime; }      ///< Time of the newest scan [us].

@@ -241,13 +241,13 @@ void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eig
   const double dn = at.x() - scan.T_earth_sonar.north, de = at.y() - scan.T_earth_sonar.east;
   const double range = std::hypot(dn, de);
   const double azimuth = std::atan2(de, dn);
-  const auto add = [&](int claim_index, double return_range, double return_azimuth) {
+  const auto add = [&](int claim_index, double return_range, double return_azimuth, float background) {
     const double dr = (return_range - range) / figures.range_sigma;
     const double db = core::wrap_to_pi(return_azimuth - azimuth) / figures.bearing_sigma;
     const double square = dr * dr + db * db;
     if (square > kMembershipGate || likelihood.explained(age, claim_index, return_range) >= params_.explained)
       return;
-    const double own = static_cast<double>(scan.gain) * std::exp(-0.5 * square);
+    const double own = static_cast<double>(scan.gain * background) * std::exp(-0.5 * square);
     const double cross = return_range * figures.bearing_sigma;
     fit.add({scan.T_earth_sonar.north + return_range * std::cos(return_azimuth),
              scan.T_earth_sonar.east + return_range * std::sin(return_azimuth)},
@@ -256,7 +256,7 @@ void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eig
   };
   if (scan.clutter == ClutterModel::point) {
     for (std::size_t i = 0; i < scan.detections.size(); ++i)
-      add(static_cast<int>(i), scan.detections[i].range, scan.detections[i].azimuth);
+      add(static_cast<int>(i), scan.detections[i].range, scan.detections[i].azimuth, scan.background[i]);
     return;
   }
   const int beam = beam_at(scan, at.x(), at.y());
@@ -264,7 +264,9 @@ void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eig
   const int reach = 1 + scan.blur_reach;
   for (int b = std::max(0, beam - reach); b <= std::min(scan.num_beams - 1, beam + reach); ++b) {
     const float range_there = scan.range[static_cast<std::size_t>(b) + 1];
-    if (range_there > 0.0F) add(b, static_cast<double>(range_there), first_azimuth + b * scan.bearing_step);
+    if (range_there > 0.0F)
+      add(b, static_cast<double>(range_there), first_azimuth + b * scan.bearing_step,
+          scan.background[static_cast<std::size_t>(b) + 1]);
   }
 }
 

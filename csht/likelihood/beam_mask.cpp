@@ -14,7 +14,8 @@ float ratio_at(const ScanTable& table, std::size_t slot, float range) {
   const float offset = (range - table.range[slot]) * table.inverse_sigma;
   const auto lost =
       static_cast<float>(lost_share(table.max_range, static_cast<double>(table.inverse_sigma), range));
-  return table.base[slot] + table.lost[slot] * lost + table.gain * std::exp(-0.5F * offset * offset);
+  return table.base[slot] + table.lost[slot] * lost +
+         table.gain * table.background[slot] * std::exp(-0.5F * offset * offset);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr float kLogisticSlope = 1.702F;
 constexpr float kLeastRange = 0.1F;  // [m]; nearer, a position error turns the bearing all around.
 
 struct SlotLanes {
-  Lane range, base, mask_range, mask_share, mask_nearer;
+  Lane range, base, gain, mask_range, mask_share, mask_nearer;
 };
 
 struct Block {
@@ -71,6 +71,7 @@ void load(const ScanTable& scan, const BeamMask* mask, int offset, std::size_t c
     b.slot[i] = static_cast<int>(std::floor(b.beam[i])) + offset;
     const auto slot = static_cast<std::size_t>(slot_of(scan, b.slot[i]));
     b.lanes.range[i] = scan.range[slot];
+    b.lanes.gain[i] = b.gain * scan.background[slot];
     b.lanes.base[i] = b.loses ? scan.base[slot] + scan.lost[slot] * b.lost[i] : scan.base[slot];
     if constexpr (kMasked) {
       b.lanes.mask_range[i] = mask->range[slot];
@@ -82,7 +83,7 @@ void load(const ScanTable& scan, const BeamMask* mask, int offset, std::size_t c
 
 inline __attribute__((always_inline)) float plain_ratio(const Block& b, std::size_t i) {
   const float offset = (b.range[i] - b.lanes.range[i]) * b.inverse_sigma;
-  return b.lanes.base[i] + b.gain * fast_exp(-0.5F * offset * offset);
+  return b.lanes.base[i] + b.lanes.gain[i] * fast_exp(-0.5F * offset * offset);
 }
 
 inline __attribute__((always_inline)) float masked_ratio(const Block& b, std::size_t i) {
@@ -137,9 +138,9 @@ double slot_ratio(const ScanTable& scan, const BeamMask* mask, const Tolerance& 
                         static_cast<double>(scan.inverse_sigma) / tolerance.sigma_scale;
   const double lost =
       lost_share(scan.max_range, static_cast<double>(scan.inverse_sigma) / tolerance.sigma_scale, range);
-  const double ratio =
-      static_cast<double>(scan.base[slot]) + static_cast<double>(scan.lost[slot]) * lost +
-      static_cast<double>(scan.gain) / tolerance.sigma_scale * std::exp(-0.5 * offset * offset);
+  const double ratio = static_cast<double>(scan.base[slot]) + static_cast<double>(scan.lost[slot]) * lost +
+                       static_cast<double>(scan.gain * scan.background[slot]) / tolerance.sigma_scale *
+                           std::exp(-0.5 * offset * offset);
   if (mask == nullptr) return ratio;
   const auto share = static_cast<double>(mask->share[slot]);
   return range > static_cast<double>(mask->range[slot]) ? share + (1.0 - share) * ratio

@@ -89,7 +89,8 @@ void find_point_ratios(const ScanTable& scan, const BeamMask* mask, std::span<co
   if (find_lost_shares(static_cast<float>(scan.max_range), shape.inverse_sigma, range, lost))
     for (std::size_t i = 0; i < range.size(); ++i) ratio[i] += scan.lost[1] * lost[i];
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
-    const float gain = mask == nullptr ? shape.gain : shape.gain * (1.0F - mask->share[j]);
+    const float free = mask == nullptr ? 1.0F : 1.0F - mask->share[j];
+    const float gain = shape.gain * scan.background[j] * free;
     add_point(shape, gain, static_cast<float>(scan.detections[j].range), scan.bearing_from_axis[j], block);
   }
   if (mask != nullptr && scan.inverse_resolution > 0.0F) merge_points(scan, *mask, block);
@@ -108,8 +109,8 @@ double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, double ran
     const double off = range - scan.detections[j].range;
     const double dr = off * scale * static_cast<double>(scan.inverse_sigma);
     const double db = turn * scale * static_cast<double>(scan.inverse_bearing_sigma);
-    ratio +=
-        (1.0 - share) * scale * scale * static_cast<double>(scan.gain) * std::exp(-0.5 * (dr * dr + db * db));
+    ratio += (1.0 - share) * scale * scale * static_cast<double>(scan.gain * scan.background[j]) *
+             std::exp(-0.5 * (dr * dr + db * db));
     if (scan.inverse_resolution <= 0.0F) continue;
     const double apart =
         std::hypot(off, scan.detections[j].range * turn) * static_cast<double>(scan.inverse_resolution);

@@ -37,6 +37,9 @@ void ScanHistory::make_room(std::size_t returns, std::size_t slots) {
     table.range.reserve(widest_);
     table.base.reserve(widest_);
     table.lost.reserve(widest_);
+    table.group.reserve(widest_);
+    table.share.reserve(widest_);
+    table.background.reserve(std::max(densest_, widest_));
   }
 }
 
@@ -58,6 +61,17 @@ void ScanHistory::set_figures(const SensorFigures& figures) {
 ScanTable& ScanHistory::table_at(int age) {
   assert(age >= 0 && age < size_);
   return tables_[static_cast<std::size_t>((newest_ - age + capacity()) % capacity())];
+}
+
+void ScanHistory::group(int age, const SpillModel& spill) {
+  spill.group(table_at(age));
+}
+
+void ScanHistory::set_background(int age, const std::vector<float>& background) {
+  ScanTable& table = table_at(age);
+  assert(background.size() == table.background.size());
+  std::copy(background.begin(), background.end(), table.background.begin());
+  csht::set_figures(figures_, model_, table);
 }
 
 void ScanHistory::set_heading_error(int age, const HeadingError& error) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "csht/likelihood/scan_table.hpp"
+#include "csht/likelihood/spill_model.hpp"
 
 namespace lookout::csht {
 
@@ -31,6 +32,12 @@ class ScanHistory {
   void set_figures(const SensorFigures& figures);
   const SensorFigures& figures() const { return figures_; }  ///< As every table kept has them.
   const SensorModelParams& model() const { return model_; }  ///< As given.
+
+  /// Groups the returns of the scan of that age that one echo may have made.
+  void group(int age, const SpillModel& spill);
+  /// Sets the background's share of each return of the scan of that age: laid out and sized as
+  /// ScanTable::background.
+  void set_background(int age, const std::vector<float>& background);
 
   /// Turns the scan of that age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error);

@@ -43,12 +43,19 @@ ReturnWorth worth_of(const SensorFigures& f, const SensorModelParams& model, dou
   return worth;
 }
 
+// What stands or is dense in a target's beam returns as well as elsewhere, whenever the target does not.
+float excess_of(const SensorFigures& figures, float background) {
+  return static_cast<float>(figures.miss_probability) * (1.0F - background);
+}
+
 void set_beam_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
   const ReturnWorth worth = worth_of(figures, model, table.max_range);
   table.gain = static_cast<float>(worth.gain);
   for (std::size_t slot = 0; slot < table.range.size(); ++slot) {
     const bool silent = table.range[slot] < 0.0F;
     table.base[slot] = static_cast<float>(silent ? worth.silence : worth.foreign);
+    if (!silent && model.clutter == ClutterModel::exclusive_beam)
+      table.base[slot] += excess_of(figures, table.background[slot]);
     const double lost = silent ? worth.silence_lost : worth.foreign_lost;
     table.lost[slot] = model.range_gate ? static_cast<float>(lost) : 0.0F;
   }
@@ -89,6 +96,9 @@ void fill_slots(ScanTable& table) {
   table.range.assign(slots, kFar);
   table.base.assign(slots, 1.0F);
   table.lost.assign(slots, 0.0F);
+  table.group.assign(slots, std::int16_t{-1});
+  table.share.assign(slots, 1.0F);
+  table.background.assign(std::max(slots, table.detections.size()), 1.0F);
   table.bearing_from_axis.clear();
   for (const auto& detection : table.detections) {
     table.bearing_from_axis.push_back(static_cast<float>(core::wrap_to_pi(detection.azimuth - table.axis)));

@@ -41,7 +41,14 @@ struct ScanTable {
   std::vector<float> base;  ///< Likelihood ratio of a slot far from its return, 0 to 1.
   /// What the base gains, times the probability that noise takes the target's return out of the range gate.
   std::vector<float> lost;
-  float gain = 0.0F;           ///< Height of the return's peak above `base`.
+  float gain = 0.0F;  ///< Height of the return's peak above `base`, where clutter is uniform.
+  /// Of each slot's return (point: of each detection): the uniform background's share of the density of false
+  /// returns there, in (0, 1]; the peak's height is `gain` times it. 1 where clutter is uniform.
+  std::vector<float> background;
+  /// Of each slot's return: which group of returns that one echo may have made it is in, -1 for none,
+  std::vector<std::int16_t> group;
+  /// and the probability that it came by itself or is the echo's own; gain and background count by it.
+  std::vector<float> share;
   float inverse_sigma = 0.0F;  ///< [1/m].
   /// point alone: bearing of each detection from `axis` [rad].
   std::vector<float> bearing_from_axis;

@@ -22,7 +22,7 @@ using Lane = std::array<float, kBlock>;
 
 // A slot's likelihood ratio as loaded for each hypothesis.
 struct SlotLanes {
-  Lane range, base, mask_range, mask_share, mask_nearer;
+  Lane range, base, gain, mask_range, mask_share, mask_nearer;
 };
 
 // What a tolerance makes of a scan's Gaussian; wider is lower, so that it still averages 1 over clutter.
@@ -107,6 +107,7 @@ inline __attribute__((always_inline)) void load_one(const ScanTable& scan, const
                                                     std::size_t i, const Block& b, SlotLanes& lanes) {
   const auto slot = static_cast<std::size_t>(std::clamp(slots, 0, scan.num_beams + 1));
   lanes.range[i] = scan.range[slot];
+  lanes.gain[i] = b.shape.gain * scan.background[slot];
   lanes.base[i] = b.loses ? scan.base[slot] + scan.lost[slot] * b.lost[i] : scan.base[slot];
   if constexpr (kMasked) {
     lanes.mask_range[i] = mask->range[slot];
@@ -119,7 +120,7 @@ template <bool kMasked>
 inline __attribute__((always_inline)) float slot_ratio(const Shape& shape, const SlotLanes& lanes,
                                                        float range, std::size_t i) {
   const float offset = (range - lanes.range[i]) * shape.inverse_sigma;
-  const float ratio = lanes.base[i] + shape.gain * fast_exp(-0.5F * offset * offset);
+  const float ratio = lanes.base[i] + lanes.gain[i] * fast_exp(-0.5F * offset * offset);
   if constexpr (!kMasked) return ratio;
   const float share = lanes.mask_share[i];
   return range > lanes.mask_range[i] ? share + (1.0F - share) * ratio : ratio * lanes.mask_nearer[i];
@@ -229,7 +230,8 @@ double plain_slot_ratio(const ScanTable& scan, const BeamMask* mask, const Shape
   const auto slot = static_cast<std::size_t>(std::clamp(slot_index, 0, scan.num_beams + 1));
   const double lost = scan.lost[slot] * lost_share(scan.max_range, shape.inverse_sigma, range);
   const double offset = (range - scan.range[slot]) * shape.inverse_sigma;
-  const double ratio = scan.base[slot] + lost + shape.gain * std::exp(-0.5 * offset * offset);
+  const double ratio =
+      scan.base[slot] + lost + shape.gain * scan.background[slot] * std::exp(-0.5 * offset * offset);
   if (mask == nullptr) return ratio;
   const double share = mask->share[slot];
   return range > mask->range[slot] ? share + (1.0 - share) * ratio : ratio * mask->nearer[slot];

@@ -49,13 +49,13 @@ LogContent read(const std::string& path, const lcmtypes::Channels& channels) {
 
 void write_tracks(const std::string& path, const std::vector<lcmtypes::KeyedTracks>& lists) {
   core::CsvWriter csv(path,
-                      "time_s,id,status,north_m,east_m,north_velocity_mps,east_velocity_mps,existence,"
+                      "time_s,id,status,north_m,east_m,north_velocity_mps,east_velocity_mps,existence,moving,"
                       "covariance_nn_m2,covariance_ne_m2,covariance_ee_m2");
   for (const auto& list : lists) {
     for (const auto& track : list.tracks) {
       csv.number(core::seconds(list.key.utime)).integer(track.id).text(core::to_string(track.status));
       for (const double value : track.state) csv.number(value);
-      csv.number(track.existence).number(track.covariance(0, 0)).number(track.covariance(0, 1));
+      csv.number(track.existence).number(track.moving).number(track.covariance(0, 0)).number(track.covariance(0, 1));
       csv.number(track.covariance(1, 1)).end_row();
     }
   }

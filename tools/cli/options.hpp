@@ -53,7 +53,6 @@ struct Options {
   std::vector<std::string> parameters;  ///< Of `tune`: KEY=RANGE.
   /// Values of the tracker's parameters that `tune` tries, over the configuration: NAME.PATH or coast_s.
   std::map<std::string, double> settings;
-  std::vector<std::string> plugins;  ///< Files of --plugin, loaded while the flags are read.
   bool list = false;
   std::string http = "8080";  ///< PORT or ADDRESS:PORT of `watch`.
   std::string decisions;      ///< File of a tracker's --explain lines, for `watch`.

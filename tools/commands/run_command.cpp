@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/field_of_view.hpp"
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/cli/image_keeper.hpp"

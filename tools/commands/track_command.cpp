@@ -32,47 +32,36 @@ void work(Node& node, const lcmtypes::LoopLimits& limits, const Options& options
              " in any second, longest wait of a track " + core::shortest(node.link().longest_wait()) + " s");
 }
 
-}  // namespace
+void track_images(lcmtypes::Bus& bus, const tracking::TrackerNodeParams& params,
+                  const Configuration& configuration, const Options& options) {
+  tracking::ImageTrackerNode node(
+      bus, params,
+      [&configuration](auto on_result, auto report) {
+        return std::make_unique<tracking::ImageChain>(
+            configuration.sensor, "h_pmht", std::move(on_result), std::move(report),
+            tracking::InstrumentParams{configuration.tbd.pulse_length, configuration.tbd.beam_width});
+      },
+      warn);
+  log_info("track: h_pmht on SONAR_IMAGE");
+  work(node, loop_limits(options), options);
+}
 
-int track_command(const Options& options) {
-  const Configuration configuration = load_configuration(options);
-  refuse_idle_choices(options, configuration);
-  const auto limits = loop_limits(options);
-  tracking::TrackerNodeParams params;
-  params.channel_prefix = options.channel_prefix;
-  params.node_id = options.node_id;
-  params.publish_estimates = options.publish_estimates;
-  params.link = configuration.fusion.link;
-  params.state_file = options.state;
-  const auto link = open_when_possible(options.lcm_url, limits);
-  if (!link) return 0;
-  lcmtypes::Bus& bus = *link;
-  if (tracks_images(configuration)) {
-    tracking::ImageTrackerNode node(
-        bus, params,
-        [&configuration](auto on_result, auto report) {
-          return std::make_unique<tracking::ImageChain>(
-              configuration.sensor, "h_pmht", std::move(on_result), std::move(report),
-              tracking::InstrumentParams{configuration.tbd.pulse_length, configuration.tbd.beam_width});
-        },
-        warn);
-    log_info("track: h_pmht on SONAR_IMAGE");
-    work(node, limits, options);
-    return end_of_link(bus);
-  }
-  if (configuration.detects) {
-    tracking::DetectionTrackerNode node(
-        bus, params,
-        [&configuration, chain = chain_params(configuration, options.seed)](auto on_result, auto report) {
-          return std::make_unique<tracking::DetectionChain>(
-              configuration.detection, chain, configuration.given, std::move(on_result), std::move(report));
-        },
-        warn);
-    log_info("track: " + configuration.detection.reference.method + " on SONAR_IMAGE, tracker " +
-             configuration.tracker.name + ", seed " + std::to_string(options.seed));
-    work(node, limits, options);
-    return end_of_link(bus);
-  }
+void track_detected(lcmtypes::Bus& bus, const tracking::TrackerNodeParams& params,
+                    const Configuration& configuration, const Options& options) {
+  tracking::DetectionTrackerNode node(
+      bus, params,
+      [&configuration, chain = chain_params(configuration, options.seed)](auto on_result, auto report) {
+        return std::make_unique<tracking::DetectionChain>(configuration.detection, chain, configuration.given,
+                                                          std::move(on_result), std::move(report));
+      },
+      warn);
+  log_info("track: " + configuration.detection.reference.method + " on SONAR_IMAGE, tracker " +
+           configuration.tracker.name + ", seed " + std::to_string(options.seed));
+  work(node, loop_limits(options), options);
+}
+
+void track_scans(lcmtypes::Bus& bus, const tracking::TrackerNodeParams& params,
+                 const Configuration& configuration, const Options& options) {
   tracking::TrackerNode node(
       bus, params,
       [chain = chain_params(configuration, options.seed)](auto on_result, auto report) {
@@ -80,8 +69,29 @@ int track_command(const Options& options) {
       },
       warn);
   log_info("track: tracker " + configuration.tracker.name + ", seed " + std::to_string(options.seed));
-  work(node, limits, options);
-  return end_of_link(bus);
+  work(node, loop_limits(options), options);
+}
+
+}  // namespace
+
+int track_command(const Options& options) {
+  const Configuration configuration = load_configuration(options);
+  refuse_idle_choices(options, configuration);
+  tracking::TrackerNodeParams params;
+  params.channel_prefix = options.channel_prefix;
+  params.node_id = options.node_id;
+  params.publish_estimates = options.publish_estimates;
+  params.link = configuration.fusion.link;
+  params.state_file = options.state;
+  const auto link = open_when_possible(options.lcm_url, loop_limits(options));
+  if (!link) return 0;
+  if (tracks_images(configuration))
+    track_images(*link, params, configuration, options);
+  else if (configuration.detects)
+    track_detected(*link, params, configuration, options);
+  else
+    track_scans(*link, params, configuration, options);
+  return end_of_link(*link);
 }
 
 }  // namespace lookout::tools

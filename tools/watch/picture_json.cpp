@@ -216,6 +216,7 @@ json to_json(const core::Track& track) {
           {"velocity", {rounded(track.state[2]), rounded(track.state[3])}},
           {"ellipse", {rounded(ellipse.major), rounded(ellipse.minor), rounded_angle(ellipse.heading)}},
           {"existence", rounded(track.existence)},
+          {"moving", rounded(track.moving)},
           {"first_utime", track.first_utime},
           {"last_detection_utime", track.last_detection_utime}};
 }

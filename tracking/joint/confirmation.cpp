@@ -15,6 +15,10 @@ void Confirmation::choose(double undetected, TrackerState& state) {
     const double p = track.used && !track.out_of_view ? track.existence() * track.visible_share : 0.0;
     if (track.log_odds < 0.0) tentative += p;
     const bool new_and_doubtful = !track.confirmed_once && p < least;
+    if (!params_.standing.report && track.used && moving(track, state) < 0.5) {
+      confirm(state.tracks[slot], false, state);
+      continue;
+    }
     if (p < params_.least_probability || (new_and_doubtful && !params_.report_all)) continue;
     candidates_.push_back({slot, p, track.moments.covariance(0, 0) + track.moments.covariance(1, 1)});
   }
@@ -43,12 +47,18 @@ std::span<const core::Track> Confirmation::publish(TrackerState& state) {
   for (csht::TargetTrack& track : state.tracks) {
     if (!track.used) continue;
     track.reported &= !track.out_of_view;
-    publish_track(track);
+    const double moves = moving(track, state);
+    if (params_.standing.report || moves >= 0.5) publish_track(track, moves);
   }
   return published_;
 }
 
-void Confirmation::publish_track(const csht::TargetTrack& track) {
+double Confirmation::moving(const csht::TargetTrack& track, const TrackerState& state) const {
+  return moving_probability(track.moments, state.prior.velocity_sigma(),
+                            params_.standing.creep * state.prior.max_speed(), state.clutter.standing_share());
+}
+
+void Confirmation::publish_track(const csht::TargetTrack& track, double moving) {
   if (track.out_of_view && !track.coasting) return;
   const bool coasting = track.confirmed_once && track.coasting && track.existence() >= params_.min_existence;
   if (!track.reported && !coasting && track.existence() < params_.published_tentative) return;
@@ -60,6 +70,7 @@ void Confirmation::publish_track(const csht::TargetTrack& track) {
   out.state = track.moments.mean.head<4>();
   out.covariance = track.moments.covariance.topLeftCorner<4, 4>();
   out.existence = track.existence();
+  out.moving = moving;
   out.first_utime = track.first_utime;
   out.last_detection_utime = track.last_detection_utime;
 }

@@ -25,7 +25,8 @@ class Confirmation {
  private:
   double least_first_existence(const csht::ScanHistory& scans) const;
   void confirm(csht::TargetTrack& track, bool report, const TrackerState& state) const;
-  void publish_track(const csht::TargetTrack& track);
+  void publish_track(const csht::TargetTrack& track, double moving);
+  double moving(const csht::TargetTrack& track, const TrackerState& state) const;
 
   ReportParams params_;
   ExpectedOspa report_;

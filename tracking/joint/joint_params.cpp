@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/parameter_check.hpp"
+#include "csht/joint/density/sensor_scale.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -45,6 +46,7 @@ void validate(const LifeParams& p) {
 }
 
 void validate(const ReportParams& p) {
+  core::require(p.standing.creep > 0.0, "standing creep must be > 0", p.standing.creep);
   core::require(p.min_existence >= 0.0 && p.min_existence <= 1.0, "min_existence must be in [0, 1]",
                 p.min_existence);
   core::require(p.cutoff > 0.0, "cutoff must be > 0", p.cutoff);
@@ -72,6 +74,22 @@ void validate(const JointTrackerParams& params) {
   validate(params.life);
   validate(params.report);
   validate(params.heading);
+}
+
+JointTrackerParams for_sensor(const JointTrackerParams& params, const core::SonarParams& sonar) {
+  const auto scale = csht::SensorScale::of(sonar);
+  JointTrackerParams own = params;
+  static_cast<csht::JointEngineParams&>(own) = csht::scaled(params, scale);
+  MotionChangeParams& change = own.manoeuvre;
+  change.window_s = scale.seconds(params.manoeuvre.window_s, 0.0);
+  change.memory_s = scale.seconds(params.manoeuvre.memory_s, 0.0);
+  change.position_slack *= scale.length;
+  change.velocity_slack *= scale.speed;
+  change.acceleration_slack *= scale.acceleration();
+  change.turn_slack /= scale.time();
+  own.life.twin_distance *= scale.length;
+  own.life.twin_speed *= scale.speed;
+  return own;
 }
 
 }  // namespace lookout::tracking

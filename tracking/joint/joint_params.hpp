@@ -2,6 +2,7 @@
 
 #include "csht/joint/density/engine_params.hpp"
 #include "csht/likelihood/sensor_model.hpp"
+#include "tracking/joint/standing.hpp"
 
 namespace lookout::tracking {
 
@@ -69,6 +70,7 @@ struct ReportParams {
   /// each detection makes them leap far beyond, it is lower by the mean overshoot (`log_overshoot`), but 0 at
   /// least.
   double first_log_odds = 1.75;
+  StandingParams standing;            ///< What stands still.
   double published_tentative = 0.05;  ///< Existence from which a tentative track is published, in [0, 1].
 };
 
@@ -86,6 +88,10 @@ struct JointTrackerParams : csht::JointEngineParams {
   ReportParams report;           ///< Which tracks are confirmed and published.
   HeadingParams heading;         ///< How errors of the heading are found.
 };
+
+/// The parameters for a sensor: lengths, speeds and times follow its errors, scans and targets. They are
+/// stated for the sonar of [Yan2018] Table 1; see csht::SensorScale.
+JointTrackerParams for_sensor(const JointTrackerParams& params, const core::SonarParams& sonar);
 
 /// @throws std::invalid_argument showing the value that is out of range.
 void validate(const JointTrackerParams& params);

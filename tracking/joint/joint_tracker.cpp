@@ -14,13 +14,13 @@ const JointTrackerParams& validated(const JointTrackerParams& params) {
 
 JointTracker::JointTracker(const JointTrackerParams& params, const core::SonarParams& sonar,
                            std::uint64_t seed, std::unique_ptr<BirthMethod> proposals)
-    : params_(validated(params)),
-      state_(params, sonar, seed),
-      scan_update_(params),
-      heading_(params.heading),
-      births_(params, std::move(proposals)),
-      deletion_(params),
-      confirmation_(params.report, state_.random) {}
+    : params_(for_sensor(validated(params), sonar)),
+      state_(params_, sonar, seed),
+      scan_update_(params_),
+      heading_(params_.heading),
+      births_(params_, std::move(proposals)),
+      deletion_(params_),
+      confirmation_(params_.report, state_.random) {}
 
 csht::Explained JointTracker::take(const core::PosedScan& scan) {
   const double seconds = state_.take(scan);

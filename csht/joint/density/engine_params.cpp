@@ -79,6 +79,17 @@ void validate(const SensorLearningParams& p) {
                 p.least_existence);
 }
 
+void validate(const ClutterLearningParams& p) {
+  validate(p.map);
+  validate(p.spill);
+  core::require(p.judge_every >= 1, "judge_every must be >= 1", p.judge_every);
+  core::require(p.least_change > 0.0, "least_change must be > 0", p.least_change);
+  core::require(p.sure_existence > 0.0 && p.sure_existence < 1.0, "sure_existence must be in (0, 1)",
+                p.sure_existence);
+  core::require(p.sure_sigma > 0.0, "sure_sigma must be > 0", p.sure_sigma);
+  core::require(p.least_speed > 0.0, "least_speed must be > 0", p.least_speed);
+}
+
 }  // namespace
 
 void validate(const JointEngineParams& params) {
@@ -89,6 +100,7 @@ void validate(const JointEngineParams& params) {
   validate(params.birth);
   validate(params.hypotheses);
   validate(params.learning);
+  validate(params.clutter);
   if (params.scans_kept)
     core::require(*params.scans_kept >= 1, "scans_kept must be >= 1", *params.scans_kept);
 }

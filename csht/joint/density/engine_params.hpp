@@ -3,8 +3,10 @@
 #include <optional>
 
 #include "csht/joint/density/target_prior.hpp"
+#include "csht/likelihood/clutter_map.hpp"
 #include "csht/likelihood/sensor_likelihood.hpp"
 #include "csht/likelihood/sensor_model.hpp"
+#include "csht/likelihood/spill_model.hpp"
 
 namespace lookout::csht {
 
@@ -90,6 +92,18 @@ struct SensorLearningParams {
   double least_existence = 0.5;  ///< Of a target whose beams are its own, in [0, 1].
 };
 
+/// How the density of false returns is learnt, and what tracks have to do with it.
+struct ClutterLearningParams {
+  SpillParams spill;  ///< How echoes heard in several beams are recognised.
+  ClutterMapParams map;           ///< Where false returns are counted.
+  int judge_every = 4;            ///< Scans after which all in memory are judged anew, >= 1.
+  double least_change = 0.05;     ///< Relative change of a return's share that is worth it, > 0.
+  double sure_existence = 0.9;    ///< A track with so much existence, in (0, 1),
+  double sure_age = 10.0;         ///< that lives for so long [range sigma / max speed], >= 0,
+  double sure_sigma = 1.0 / 6.0;  ///< whose velocity is known so well [max speed], > 0,
+  double least_speed = 0.1;       ///< and that is surely faster than this [max speed], > 0, is no clutter.
+};
+
 /// The joint engine: the sensor's likelihood, the prior, and how densities are drawn, claimed and begun.
 struct JointEngineParams {
   SensorModelParams sensor;  ///< How a scan is read as a likelihood.
@@ -100,6 +114,7 @@ struct JointEngineParams {
   BirthParams birth;              ///< How new targets are searched.
   HypothesisParams hypotheses;    ///< Which hypotheses are kept.
   SensorLearningParams learning;  ///< How P_F, P_M and sigma are learnt.
+  ClutterLearningParams clutter;  ///< How the density of false returns is learnt.
   /// Scans kept, >= 1; absent: as many as `cloud.memory_s` and `birth.window_s` ask for.
   std::optional<int> scans_kept;
 };

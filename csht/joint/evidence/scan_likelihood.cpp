@@ -15,6 +15,13 @@ constexpr double kLeastUndetected = 1e-9;     // Stands for none, so that its lo
 constexpr double kImpossible = -1e6;          // ln of the density of what the prior rules out [nats].
 constexpr std::size_t kClaimsReserved = 512;  // Of a scan; more are possible, but allocate.
 
+// Whether a claim on one beam may be one on the return of another: the beam beside it, or one of its group.
+bool one_return(const ScanTable& scan, int claimed, int beam) {
+  if (std::abs(claimed - beam) <= 1) return true;
+  const std::int16_t group = scan.group[static_cast<std::size_t>(beam) + 1];
+  return group >= 0 && scan.group[static_cast<std::size_t>(claimed) + 1] == group;
+}
+
 }  // namespace
 
 int beam_at(const ScanTable& scan, double north, double east) {
@@ -116,16 +123,35 @@ void ScanLikelihood::claim_beam(const ScanTable& scan, const Claim& claim, doubl
   csht::claim_beam(scan, claim.index, static_cast<double>(claim.range), share, mask_);
   float& nearer = mask_.nearer[static_cast<std::size_t>(claim.index) + 1];
   nearer = std::min(nearer, 1.0F);
+  claim_group(scan, claim, share);
 }
 
-double ScanLikelihood::explained(int age, int index, double range) const {
+// Where the return of the claimed beam is one of a group, its owner made the others too: to another target
+// they say no more than what is hidden does.
+void ScanLikelihood::claim_group(const ScanTable& scan, const Claim& claim, double share) {
+  const std::size_t slot = static_cast<std::size_t>(claim.index) + 1;
+  const std::int16_t group = scan.group[slot];
+  const double gate = kCompatibleSigmas / static_cast<double>(scan.inverse_sigma);
+  if (group < 0 || std::abs(static_cast<double>(claim.range - scan.range[slot])) > gate) return;
+  const int reach = 2 * SpillModel::kReach;
+  for (int beam = std::max(0, claim.index - reach); beam <= std::min(scan.num_beams - 1, claim.index + reach);
+       ++beam) {
+    const std::size_t other = static_cast<std::size_t>(beam) + 1;
+    if (beam == claim.index || scan.group[other] != group) continue;
+    csht::claim_beam(scan, beam, static_cast<double>(scan.range[other]) - gate, share, mask_);
+    mask_.nearer[other] = std::min(mask_.nearer[other], 1.0F);
+  }
+}
+
+double ScanLikelihood::explained(int age, int index, double range, std::span<const char> owners) const {
   const ScanTable& scan = scans_.at_age(age);
   const bool points = scan.clutter == ClutterModel::point;
   const double gate = kCompatibleSigmas / static_cast<double>(scan.inverse_sigma);
   double sum = 0.0;
   for (const Claim& claim : claims_at(age)) {
+    if (!owners.empty() && owners[static_cast<std::size_t>(claim.owner)] == 0) continue;
     const bool same = points ? claim.index == index
-                             : std::abs(claim.index - index) <= 1 &&
+                             : one_return(scan, claim.index, index) &&
                                    std::abs(static_cast<double>(claim.range) - range) <= gate;
     if (same) sum += existence_[static_cast<std::size_t>(claim.owner)] * static_cast<double>(claim.share);
   }

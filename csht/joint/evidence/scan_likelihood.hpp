@@ -51,6 +51,12 @@ class ScanLikelihood {
   void set_prior(const TargetPrior& prior) { prior_ = prior; }  ///< Holds from the next call on.
   /// Rewrites P_F, P_M and sigma in every scan that is kept.
   void set_figures(const SensorFigures& figures) { scans_.set_figures(figures); }
+  /// Groups the returns of the scan of this age that one echo may have made.
+  void group(int age, const SpillModel& spill) { scans_.group(age, spill); }
+  /// Sets the background's share of each return of the scan of this age, see ScanHistory.
+  void set_background(int age, const std::vector<float>& background) {
+    scans_.set_background(age, background);
+  }
   /// Turns the scan of this age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error) { scans_.set_heading_error(age, error); }
 
@@ -87,13 +93,15 @@ class ScanLikelihood {
 
   /// Probability that a known track made the return at `range` [m] of the scan of this age: the claims on its
   /// beam and on both neighbours whose range fits. @param index beam, or index of a point sensor's detection.
-  double explained(int age, int index, double range) const;
+  /// @param owners if given, holds 0 for each slot whose claims do not count.
+  double explained(int age, int index, double range, std::span<const char> owners = {}) const;
 
  private:
   std::vector<Claim>& claims_at(int age);
   const std::vector<Claim>& claims_at(int age) const;
   std::size_t ring_index(int age) const;
   void claim_beam(const ScanTable& scan, const Claim& claim, double share);
+  void claim_group(const ScanTable& scan, const Claim& claim, double share);
   void begin_cloud(const TrajectoryCloud& cloud, int oldest, std::span<double> log_ratio);
   void add_scan(const TrajectoryCloud& cloud, int age, const BeamMask* mask, std::span<double> log_ratio);
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/random.hpp"
 #include "csht/joint/joint_scene.hpp"
 #include "tests/support/sonar_scene.hpp"
 
@@ -22,12 +23,14 @@ TEST(Resample, TakesTrajectoriesByTheirWeights) {
   for (std::size_t i = 0; i < samples.size(); ++i) EXPECT_DOUBLE_EQ(samples[i][0], i < 2 ? 1.0 : 2.0);
 }
 
-// Returns in 9 of 90 beams: the share is 0.1.
-std::vector<Eigen::Vector2d> nine_returns() {
+// Returns in 9 of 90 beams, the share is 0.1, at ranges and bearings that no two scans have in common.
+std::vector<Eigen::Vector2d> nine_returns(int scan = 0) {
+  core::Random random(static_cast<std::uint64_t>(scan) + 1);
   std::vector<Eigen::Vector2d> points;
   for (int k = 0; k < 9; ++k) {
-    const double bearing = core::radians(-40.5 + 9.0 * k);
-    points.emplace_back(80.0 * std::cos(bearing), 80.0 * std::sin(bearing));
+    const double range = random.uniform(5.0, 145.0);
+    const double bearing = core::radians(-44.5 + 10.0 * k + random.index(10));
+    points.emplace_back(range * std::cos(bearing), range * std::sin(bearing));
   }
   return points;
 }
@@ -35,7 +38,7 @@ std::vector<Eigen::Vector2d> nine_returns() {
 TEST(SensorLearning, UnknownFalseAlarmsAreLearntFromFreeBeams) {
   JointScene scene({}, core::SonarParams(), {});
   for (int k = 0; k < 20; ++k) {
-    scene.take(scan_of(k, nine_returns()));
+    scene.take(scan_of(k, nine_returns(k)));
     scene.learn();
   }
   EXPECT_NEAR(scene.learning.estimate().false_alarm_probability, 0.1, 0.005);

@@ -114,14 +114,15 @@ class AgFhtTable2 : public AgFhtExperiment {
   }
 
   /// [Zeng2023] Fig. 8, 9 and 11, of the first run: the plots, and what each method starts there.
-  void write_extras(std::uint64_t seed, const std::string& directory) const override {
+  void write_extras(const Drawn& drawn) const override {
     for (const ZengRow& row :
          {ZengRow{"ag_fht", "text", 4, 4, 0, 120, 1.0}, ZengRow{"modified_logic", "polar", 4, 4, 0, 120, 1.0},
           ZengRow{"modified_ht", "", 3, 3, 0, 120, 1.0}, ZengRow{"vct", "", 4, 4, 4, 120, 1.0}}) {
+      if (drawn.of_method(row.method).empty()) continue;
       const Cell cell = zeng_cell(row);
-      core::Random random(seed, core::RandomStream::experiment, 0);
+      core::Random random(drawn.seed, core::RandomStream::experiment, 0);
       const InitiationScene scene = zeng_scene(zeng_params(cell), random);
-      std::string path = directory;
+      std::string path = drawn.directory;
       path.append("/scene_radar_").append(row.method).append(".csv");
       write_scene_picture(scene, run_initiator(scene, row.method, zeng_config(cell)), path);
     }

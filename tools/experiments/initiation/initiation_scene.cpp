@@ -176,13 +176,23 @@ InitiationScene real_scene(double clutter_per_scan, double position_sigma, core:
   return scene;
 }
 
-InitiationScene zeng_scene(const ZengSceneParams& params, core::Random& random) {
-  constexpr double kPeriod = 5.0;
-  const Eigen::Vector2d acceleration_sigma(1.0, 0.6);
+namespace {
+
+/// The five targets of [Zeng2023] section 3.1 at the first scan.
+std::array<Target, 5> zeng_targets() {
   std::array<Target, 5> targets;
   const double kilometres[5][2] = {{55, 55}, {45, 45}, {35, 35}, {45, 25}, {55, 15}};
   for (std::size_t i = 0; i < targets.size(); ++i)
     targets[i] = {1e3 * Eigen::Vector2d(kilometres[i][0], kilometres[i][1]), {500.0, 0.0}};
+  return targets;
+}
+
+}  // namespace
+
+InitiationScene zeng_scene(const ZengSceneParams& params, core::Random& random) {
+  constexpr double kPeriod = 5.0;
+  const Eigen::Vector2d acceleration_sigma(1.0, 0.6);
+  std::array<Target, 5> targets = zeng_targets();
   const auto noise_at = [&](const Eigen::Vector2d& p) {
     return tracking::polar_noise(p, params.told_noise * params.range_sigma,
                                  params.told_noise * params.azimuth_sigma);

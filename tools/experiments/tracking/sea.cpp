@@ -4,9 +4,9 @@
 #include <string>
 
 #include "core/frames.hpp"
+#include "tools/experiments/tracking/scored_run.hpp"
 #include "tools/experiments/tracking/sea_scene.hpp"
 #include "tools/experiments/tracking/sensor_knowledge.hpp"
-#include "tools/experiments/tracking/scored_run.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {
@@ -84,7 +84,11 @@ class Sea : public Experiment {
     const auto scene = sea_scene(cell.parameters.text("condition"), cell.parameters.number("p_false_alarm"),
                                  cell.parameters.number("p_miss"), seed, run);
     const auto scans = simulate(scene, seed, run);
-    const auto pipeline = pipeline_of(cell.method, told(cell, scene, seed, run), run_seed(seed, run));
+    tracking::ChainParams params;
+    params.tracker.name = cell.method;
+    params.tracker.report_standing = false;
+    params.seed = run_seed(seed, run);
+    const auto pipeline = tracking::make_pipeline(params, told(cell, scene, seed, run));
     const auto output = track(*pipeline, scans);
     Metrics metrics = score_from(kSettled, scans, output);
     const Metrics later = score_from(kLater, scans, output);

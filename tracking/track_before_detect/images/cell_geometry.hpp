@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "core/beam_bearings.hpp"
 #include "core/sonar_image.hpp"
 
 namespace lookout::tracking {
@@ -35,7 +36,7 @@ class SonarCellGeometry : public CellGeometry {
   explicit SonarCellGeometry(const core::PosedImage& posed);
   CellView observe(const Eigen::Vector2d& p_earth) const override;
   Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const override;
-  Eigen::Vector2d cell_size() const override { return {range_step_, bearing_step_}; }
+  Eigen::Vector2d cell_size() const override { return {range_step_, core::mean_step(bearings_)}; }
 
  private:
   core::Pose2 T_earth_sonar_;

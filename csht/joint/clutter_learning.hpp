@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/sonar_params.hpp"
+#include "csht/joint/density/engine_params.hpp"
+#include "csht/joint/density/target_track.hpp"
+#include "csht/joint/evidence/scan_likelihood.hpp"
+#include "csht/likelihood/clutter_map.hpp"
+
+namespace lookout::csht {
+
+/// Keeps the density of false returns, and with it the likelihood of all scans in memory: prices each new
+/// scan, counts its returns but for those of sure, moving targets, and lets the odds of the tracks follow
+/// when the past is judged anew. docs/clutter_map.md.
+class ClutterLearning {
+ public:
+  /// @param params validated.
+  ClutterLearning(const ClutterLearningParams& params, const core::SonarParams& sonar);
+
+  /// Sets the background's share of the newest scan's returns, before tracks take it in.
+  void price_newest(ScanLikelihood& likelihood);
+
+  /// Takes the newest scan into the map, after the tracks have. Now and then judges all scans anew and adds
+  /// what that changes to weights and odds of the tracks, which stand at the newest scan.
+  void learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
+
+  double standing_share() const { return map_.standing_share(); }  ///< See ClutterMap.
+
+ private:
+  void reserve(const ScanTable& scan, int scans);
+  void discount_movers(int age, std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
+  bool surely_moves(const TargetTrack& track, std::int64_t now) const;
+  void judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
+  void add_evidence(double sign, std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
+  static void take_change(TargetTrack& track);
+
+  ClutterLearningParams params_;
+  ClutterMap map_;
+  SpillModel spill_;
+  double leave_out_s_, sure_age_s_, max_speed_;
+  std::vector<std::vector<float>> background_;  ///< New prices by age,
+  std::vector<int> changed_;                    ///< and the ages where they differ.
+  std::vector<double> own_, ratio_;
+  std::vector<char> moves_;
+};
+
+}  // namespace lookout::csht

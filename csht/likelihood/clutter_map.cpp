@@ -1,0 +1,322 @@
+#include "csht/likelihood/clutter_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "core/parameter_check.hpp"
+
+namespace lookout::csht {
+namespace {
+
+constexpr double kMicroseconds = 1e6;
+constexpr double kClear =
+    0.5;  // Background's share around a return from which a track is believed to have made it.
+// A frame around a place, and its middle: half widths in beams and in reaches of the kernel.
+constexpr double kFrameBeams = 6.0, kFrameReaches = 2.0, kMiddleBeams = 2.0, kMiddleReaches = 1.0;
+// A kernel's counts are no Poisson numbers: divided by this, the mean of its squares over its mean, their
+// variance equals their mean. Of a triangle it is 2/3, of a product of two 4/9.
+constexpr double kTriangle = 2.0 / 3.0;
+
+// A triangle of height 1 and half width 1.
+double triangle(double x) {
+  return std::max(0.0, 1.0 - std::abs(x));
+}
+
+// Its integral from -inf to x.
+double triangle_below(double x) {
+  const double c = std::clamp(x, -1.0, 1.0);
+  return c < 0.0 ? 0.5 * (1.0 + c) * (1.0 + c) : 1.0 - 0.5 * (1.0 - c) * (1.0 - c);
+}
+
+std::int64_t microseconds(double seconds) {
+  return static_cast<std::int64_t>(seconds * kMicroseconds);
+}
+
+}  // namespace
+
+void validate(const ClutterMapParams& p) {
+  core::require(p.memory_looks >= 2 && p.memory_looks <= 1000, "memory_looks must be in [2, 1000]",
+                p.memory_looks);
+  core::require(p.memory_time > 0.0, "memory_time must be > 0", p.memory_time);
+  core::require(p.leave_out_time > 0.0, "leave_out_time must be > 0", p.leave_out_time);
+  core::require(p.range_reach > 0.0, "range_reach must be > 0", p.range_reach);
+  core::require(p.sonar_beams > 0.0, "sonar_beams must be > 0", p.sonar_beams);
+  core::require(p.earth_beams > 0.0, "earth_beams must be > 0", p.earth_beams);
+  core::require(p.sonar_prior.share > 0.0 && p.sonar_prior.share < 1.0, "sonar_prior.share must be in (0, 1)",
+                p.sonar_prior.share);
+  core::require(p.sonar_prior.shape > 0.0, "sonar_prior.shape must be > 0", p.sonar_prior.shape);
+  core::require(p.earth_shape > 0.0, "earth_shape must be > 0", p.earth_shape);
+  core::require(p.least_share > 0.0 && p.least_share <= p.most_share,
+                "least_share must be in (0, most_share]", p.least_share);
+  core::require(p.most_share < 1.0, "most_share must be < 1", p.most_share);
+  core::require(p.share_growth >= 0.0, "share_growth must be >= 0", p.share_growth);
+  core::require(p.least_strength > 0.0 && p.least_strength <= p.most_strength,
+                "least_strength must be in (0, most_strength]", p.least_strength);
+  core::require(p.strength_growth >= 0.0, "strength_growth must be >= 0", p.strength_growth);
+  core::require(p.standing_share > 0.0 && p.standing_share < 1.0, "standing_share must be in (0, 1)",
+                p.standing_share);
+  core::require(p.standing_memory > 1.0, "standing_memory must be > 1", p.standing_memory);
+  core::require(p.most_returns >= 16, "most_returns must be >= 16", p.most_returns);
+}
+
+ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& sonar)
+    : params_(params),
+      range_reach_(params.range_reach * sonar.range_sigma),
+      spacing_us_(
+          microseconds(params.memory_time * sonar.range_sigma / sonar.max_speed / params.memory_looks)),
+      leave_out_us_(microseconds(params.leave_out_time * sonar.range_sigma / sonar.max_speed)),
+      standing_(params.standing_share) {
+  if (params.enabled) reserve();
+}
+
+// All buffers at once: afterwards a scan allocates nothing.
+void ClutterMap::reserve() {
+  const std::int64_t waiting = leave_out_us_ / std::max<std::int64_t>(1, spacing_us_);
+  const auto most_looks = static_cast<std::size_t>(params_.memory_looks + waiting);
+  const auto most_returns = static_cast<std::size_t>(params_.most_returns);
+  looks_.reserve(most_looks);
+  counted_.reserve(most_looks);
+  spare_.resize(most_looks);
+  for (Look& look : spare_) {
+    look.earth.reserve(most_returns);
+    look.sonar.reserve(most_returns);
+  }
+  for (PointBins* bins : {&earth_, &sonar_}) bins->reserve(most_looks * most_returns);
+  points_.reserve(most_looks * most_returns);
+}
+
+ClutterMap::Place ClutterMap::place_of(const ScanTable& scan, const core::Detection& detection) {
+  return {detection.p_earth, core::wrap_to_pi(detection.azimuth - scan.axis) / scan.bearing_step,
+          detection.range};
+}
+
+void ClutterMap::add(const ScanTable& scan) {
+  if (!looks_.empty() && scan.utime - looks_.back().utime < spacing_us_) return;
+  Look& look = next_look();
+  look.utime = scan.utime;
+  look.T_earth_sonar = scan.T_earth_sonar;
+  look.axis = scan.axis;
+  look.half_sector = static_cast<double>(scan.half_sector);
+  look.max_range = scan.max_range;
+  const auto most = static_cast<std::size_t>(params_.most_returns);
+  const std::size_t stride = scan.detections.size() / (most + 1) + 1;
+  for (std::size_t j = 0; j < scan.detections.size(); j += stride)
+    take_return(scan, scan.detections[j], static_cast<float>(stride), look);
+  sort_returns();
+}
+
+// The look that takes the newest scan: a new one or, where there are enough, the oldest, with its buffers.
+ClutterMap::Look& ClutterMap::next_look() {
+  const int number = looks_.empty() ? 0 : looks_.back().number + 1;
+  if (spare_.empty()) {
+    std::rotate(looks_.begin(), looks_.begin() + 1, looks_.end());
+  } else {
+    looks_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  Look& look = looks_.back();
+  look.number = number;
+  look.earth.clear();
+  look.sonar.clear();
+  return look;
+}
+
+void ClutterMap::take_return(const ScanTable& scan, const core::Detection& detection, float weight,
+                             Look& look) {
+  const Place place = place_of(scan, detection);
+  const bool point = scan.clutter == ClutterModel::point;
+  const float own = point ? weight : weight * scan.share[static_cast<std::size_t>(detection.beam) + 1];
+  look.earth.push_back(
+      {static_cast<float>(place.p_earth.x()), static_cast<float>(place.p_earth.y()), own, look.number});
+  look.sonar.push_back(
+      {static_cast<float>(place.beam), static_cast<float>(place.range / range_reach_), own, look.number});
+}
+
+void ClutterMap::discount(const ScanTable& scan, std::span<const double> own, double rate) {
+  const auto look =
+      std::find_if(looks_.begin(), looks_.end(), [&](const Look& l) { return l.utime == scan.utime; });
+  if (look == looks_.end() || look->earth.size() != own.size()) return;
+  mark_looks(scan);
+  for (std::size_t j = 0; j < own.size(); ++j) {
+    if (own[j] <= 0.0) continue;
+    if (clear_around(scan, place_of(scan, scan.detections[j]), rate) < kClear) continue;
+    const auto rest = static_cast<float>(1.0 - std::min(own[j], 1.0));
+    // What a track took once stays taken, even if that track ends.
+    look->earth[j].weight = look->sonar[j].weight = std::min(look->earth[j].weight, rest);
+  }
+}
+
+void ClutterMap::sort_returns() {
+  points_.clear();
+  for (const Look& look : looks_) points_.insert(points_.end(), look.earth.begin(), look.earth.end());
+  earth_.build(points_, range_reach_);
+  points_.clear();
+  for (const Look& look : looks_) points_.insert(points_.end(), look.sonar.begin(), look.sonar.end());
+  sonar_.build(points_, 1.0);
+}
+
+void ClutterMap::mark_looks(const ScanTable& scan) const {
+  counted_.clear();
+  num_counted_ = num_recent_ = 0.0;
+  for (const Look& look : looks_) {
+    const bool known = looks_.back().utime - look.utime >= leave_out_us_;
+    counted_.push_back(known && std::abs(look.utime - scan.utime) > leave_out_us_ ? 1 : 0);
+    num_counted_ += counted_.back();
+    num_recent_ += std::abs(look.utime - scan.utime) <= leave_out_us_ ? 1.0 : 0.0;
+  }
+}
+
+void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& background) const {
+  background.assign(background.size(), 1.0F);
+  mark_looks(scan);
+  for (std::size_t j = 0; j < scan.detections.size(); ++j) {
+    const Place place = place_of(scan, scan.detections[j]);
+    const auto share = static_cast<float>(looks_.empty() ? 1.0 : background_at(scan, place, rate));
+    const std::size_t slot =
+        scan.clutter == ClutterModel::point ? j : static_cast<std::size_t>(scan.detections[j].beam) + 1;
+    background[slot] = scan.clutter == ClutterModel::point ? share : share * scan.share[slot];
+  }
+  if (!scan.whole_circle || scan.clutter == ClutterModel::point) return;
+  background[0] = background[static_cast<std::size_t>(scan.num_beams)];
+  background[static_cast<std::size_t>(scan.num_beams) + 1] = background[1];
+}
+
+// What moves with the sonar shows, blurred, in the earth's frame too: only what is denser there stands.
+double ClutterMap::background_at(const ScanTable& scan, const Place& place, double rate) const {
+  const double strength =
+      std::min(params_.most_strength, params_.least_strength + params_.strength_growth * standing_);
+  const double sonar = sonar_excess(scan, place, rate), earth = earth_excess(scan, place, rate);
+  const double stands = sonar > 0.0 ? std::clamp(2.0 * (earth / sonar - 1.0), 0.0, 1.0) : 1.0;
+  const double settled = std::max(sonar, earth * (1.0 + (strength - 1.0) * stands));
+  return 1.0 / (1.0 + std::max(settled, recent_excess(scan, place, rate)));
+}
+
+// What lies on both sides of a place, along the beams or across them, in the scans near in time: it needs no
+// past. A moving target's trail lies on one side alone.
+double ClutterMap::recent_excess(const ScanTable& scan, const Place& place, double rate) const {
+  const double y = place.range / range_reach_;
+  std::array<double, 4> counts{};
+  sonar_.visit(place.beam, y, kFrameBeams, kFrameReaches, [&](const BinnedPoint& p) {
+    if (std::abs(looks_[static_cast<std::size_t>(p.look - looks_.front().number)].utime - scan.utime) >
+        leave_out_us_)
+      return;
+    const double across = static_cast<double>(p.x) - place.beam, along = static_cast<double>(p.y) - y;
+    const double a = std::abs(across), b = std::abs(along);
+    const auto weight = static_cast<double>(p.weight);
+    if (a > kMiddleBeams && a <= kFrameBeams && b <= kMiddleReaches) counts[across < 0.0 ? 0 : 1] += weight;
+    if (b > kMiddleReaches && b <= kFrameReaches && a <= kMiddleBeams) counts[along < 0.0 ? 2 : 3] += weight;
+  });
+  const double cell = num_recent_ * rate / scan.num_beams * range_reach_ / scan.max_range;
+  const double side = cell * (kFrameBeams - kMiddleBeams) * 2.0 * kMiddleReaches;
+  const double end = cell * (kFrameReaches - kMiddleReaches) * 2.0 * kMiddleBeams;
+  const auto excess = [&](double one, double other, double expected) {
+    return excess_density(2.0 * std::min(one, other), 2.0 * expected, params_.sonar_prior);
+  };
+  return std::max(excess(counts[0], counts[1], side), excess(counts[2], counts[3], end));
+}
+
+double ClutterMap::sonar_excess(const ScanTable& scan, const Place& place, double rate) const {
+  const double y = place.range / range_reach_, reach = params_.sonar_beams;
+  if (num_counted_ == 0.0) return 0.0;
+  double count = 0.0;
+  sonar_.visit(place.beam, y, reach, 1.0, [&](const BinnedPoint& p) {
+    if (!counts(p.look)) return;
+    count += static_cast<double>(p.weight) * triangle((static_cast<double>(p.x) - place.beam) / reach) *
+             triangle(static_cast<double>(p.y) - y);
+  });
+  const double half = 0.5 * scan.num_beams;
+  const double across = scan.whole_circle ? reach
+                                          : reach * (triangle_below((half - place.beam) / reach) -
+                                                     triangle_below((-half - place.beam) / reach));
+  const double along = triangle_below(scan.max_range / range_reach_ - y) - triangle_below(-y);
+  const double per_cell = rate / scan.num_beams * range_reach_ / scan.max_range;
+  const double scale = 1.0 / (kTriangle * kTriangle);
+  return excess_density(scale * count, scale * num_counted_ * across * along * per_cell, params_.sonar_prior);
+}
+
+double ClutterMap::earth_excess(const ScanTable& scan, const Place& place, double rate) const {
+  const Eigen::Vector2d along =
+      (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
+  const double cross_reach =
+      std::max(params_.earth_beams * scan.bearing_step * place.range, 0.25 * range_reach_);
+  const double box_north = std::abs(along.x()) * range_reach_ + std::abs(along.y()) * cross_reach;
+  const double box_east = std::abs(along.y()) * range_reach_ + std::abs(along.x()) * cross_reach;
+  double count = 0.0;
+  earth_.visit(place.p_earth.x(), place.p_earth.y(), box_north, box_east, [&](const BinnedPoint& p) {
+    if (!counts(p.look)) return;
+    const double dn = static_cast<double>(p.x) - place.p_earth.x();
+    const double de = static_cast<double>(p.y) - place.p_earth.y();
+    count += static_cast<double>(p.weight) * triangle((dn * along.x() + de * along.y()) / range_reach_) *
+             triangle((de * along.x() - dn * along.y()) / cross_reach);
+  });
+  if (count <= 0.0) return 0.0;
+  const double beams = cross_reach / (scan.bearing_step * place.range);
+  const double per_look = rate / scan.num_beams * beams * range_reach_ / scan.max_range;
+  const double scale = 1.0 / (kTriangle * kTriangle);
+  const ExcessPrior prior{
+      std::min(params_.most_share, params_.least_share + params_.share_growth * standing_),
+      params_.earth_shape};
+  return excess_density(scale * count, scale * views_of(scan, place) * per_look, prior);
+}
+
+// The background's share of the returns in a frame around a place, in the sonar's frame or the earth's,
+// whichever is less: its middle, where a target's own returns are, is left out.
+double ClutterMap::clear_around(const ScanTable& scan, const Place& place, double rate) const {
+  if (num_counted_ == 0.0) return 1.0;
+  const double y = place.range / range_reach_;
+  double sonar = 0.0, earth = 0.0;
+  const auto in_frame = [](double across, double along) {
+    const double a = std::abs(across), b = std::abs(along);
+    return a <= kFrameBeams && b <= kFrameReaches && !(a <= kMiddleBeams && b <= kMiddleReaches);
+  };
+  sonar_.visit(place.beam, y, kFrameBeams, kFrameReaches, [&](const BinnedPoint& p) {
+    if (counts(p.look) && in_frame(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y))
+      sonar += static_cast<double>(p.weight);
+  });
+  const Eigen::Vector2d along =
+      (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
+  const double beam = scan.bearing_step * place.range;
+  const double box = std::hypot(kFrameBeams * beam, kFrameReaches * range_reach_);
+  earth_.visit(place.p_earth.x(), place.p_earth.y(), box, box, [&](const BinnedPoint& p) {
+    if (!counts(p.look)) return;
+    const double dn = static_cast<double>(p.x) - place.p_earth.x();
+    const double de = static_cast<double>(p.y) - place.p_earth.y();
+    if (in_frame((de * along.x() - dn * along.y()) / beam, (dn * along.x() + de * along.y()) / range_reach_))
+      earth += static_cast<double>(p.weight);
+  });
+  const double area = 4.0 * (kFrameBeams * kFrameReaches - kMiddleBeams * kMiddleReaches);
+  const double expected = num_counted_ * area * rate / scan.num_beams * range_reach_ / scan.max_range;
+  return 1.0 / (1.0 + std::max(excess_density(sonar, expected, params_.sonar_prior),
+                               excess_density(earth, expected, params_.sonar_prior)));
+}
+
+// Mean number of looks, each weighted with the density of its background there, that had a place in view.
+double ClutterMap::views_of(const ScanTable&, const Place& place) const {
+  double views = 0.0;
+  for (const Look& look : looks_) {
+    if (!counts(look.number)) continue;
+    const double dn = place.p_earth.x() - look.T_earth_sonar.north;
+    const double de = place.p_earth.y() - look.T_earth_sonar.east;
+    const double square = dn * dn + de * de;
+    if (square > look.max_range * look.max_range) continue;
+    if (std::abs(core::wrap_to_pi(std::atan2(de, dn) - look.axis)) > look.half_sector) continue;
+    views += place.range / std::max(std::sqrt(square), 0.1 * place.range);
+  }
+  return views;
+}
+
+void ClutterMap::learn_standing(const ScanTable& newest, double rate) {
+  mark_looks(newest);
+  if (num_counted_ == 0.0 || newest.detections.empty()) return;
+  double stands = 0.0;
+  for (const core::Detection& detection : newest.detections) {
+    const Place place = place_of(newest, detection);
+    const double sonar = sonar_excess(newest, place, rate), earth = earth_excess(newest, place, rate);
+    if (earth > sonar) stands += earth / (1.0 + earth);
+  }
+  standing_ += (stands / static_cast<double>(newest.detections.size()) - standing_) / params_.standing_memory;
+}
+
+}  // namespace lookout::csht

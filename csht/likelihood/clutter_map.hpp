@@ -1,0 +1,111 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/sonar_params.hpp"
+#include "csht/likelihood/clutter_density.hpp"
+#include "csht/likelihood/point_bins.hpp"
+#include "csht/likelihood/scan_table.hpp"
+
+namespace lookout::csht {
+
+/// How false returns are counted where they come. Lengths are in units of the sensor's range error and beam
+/// spacing, times in units of range error over the fastest target's speed, so that one set serves any sensor.
+struct ClutterMapParams {
+  bool enabled = true;        ///< Without it clutter counts as uniform.
+  int memory_looks = 60;      ///< Scans that are counted, 2 to 1000.
+  double memory_time = 30.0;  ///< Their least span [range sigma / max speed], > 0: scans that come faster are
+                              ///< thinned out.
+  /// A scan is not judged by others so near in time [range sigma / max speed], > 0: a target is in them.
+  double leave_out_time = 4.0;
+  double range_reach = 4.0 / 3.0;  ///< Half width of the kernel along the line of sight [range sigmas], > 0.
+  double sonar_beams = 3.0;        ///< And across it, in the sonar's frame [beams], > 0.
+  double earth_beams = 1.5;        ///< Likewise in the earth's frame, > 0.
+  ExcessPrior sonar_prior;         ///< Of places in the sonar's frame.
+  double earth_shape = 0.5;        ///< Of places in the earth's frame, as ExcessPrior::shape.
+  /// Their share is this, > 0, and grows by `share_growth` times the share of returns from what stands, up to
+  /// `most_share`, < 1.
+  double least_share = 0.02, share_growth = 1.5, most_share = 0.4;
+  /// Likewise the strength of their excess.
+  double least_strength = 1.0, strength_growth = 20.0, most_strength = 6.0;
+  double standing_share = 0.1;    ///< Share of the returns that come from what stands, before any, in (0, 1).
+  double standing_memory = 40.0;  ///< Scans over which that share is learnt, > 1.
+  int most_returns = 512;         ///< Of a scan that are counted, >= 16; of more, evenly spaced ones.
+};
+
+/// @throws std::invalid_argument showing the value that is out of range.
+void validate(const ClutterMapParams& params);
+
+/// Where false returns come more densely than the uniform background: in the sonar's frame (a noisy beam, the
+/// bottom, scatter that moves along) and in the earth's (rocks, walls). The map is the latest scans
+/// themselves: a place's density is the number of returns around it in all scans but those near in time, in
+/// which a moving target would still be there. docs/clutter_map.md.
+class ClutterMap {
+ public:
+  /// @param params validated.
+  ClutterMap(const ClutterMapParams& params, const core::SonarParams& sonar);
+
+  /// Takes the newest scan in, if it is time for one. Cost: O(returns in memory).
+  void add(const ScanTable& scan);
+  /// Lets the returns of a past scan count less: `own[j]` is the probability that a moving target made
+  /// detection j. It is believed where nothing is dense around the return: a track may follow the returns
+  /// of a bottom or a wall. Nothing happens where the scan was not taken. @param rate as for `price`.
+  void discount(const ScanTable& scan, std::span<const double> own, double rate);
+
+  /// Writes the background's share of each return of `scan` to `background`, laid out as
+  /// ScanTable::background. @param rate mean number of uniform false returns of a scan, > 0.
+  void price(const ScanTable& scan, double rate, std::vector<float>& background) const;
+
+  /// Learns from the newest scan how much of what returns stands still. @param rate as for `price`.
+  void learn_standing(const ScanTable& newest, double rate);
+  double standing_share() const { return standing_; }  ///< Probability that a return is of what stands still.
+
+ private:
+  struct Look {
+    std::int64_t utime = 0;
+    int number = 0;
+    core::Pose2 T_earth_sonar;
+    double axis = 0.0, half_sector = 0.0, max_range = 0.0;
+    std::vector<BinnedPoint> earth, sonar;  // Of its returns, in one order; weights are those of `earth`.
+  };
+  struct Place {  // Where a density is asked for: earth frame [m], beams from the axis, range [m].
+    Eigen::Vector2d p_earth;
+    double beam = 0.0, range = 0.0;
+  };
+  struct Tally {
+    double count = 0.0, expected = 0.0;
+  };
+
+  static Place place_of(const ScanTable& scan, const core::Detection& detection);
+  void reserve();
+  Look& next_look();
+  void take_return(const ScanTable& scan, const core::Detection& detection, float weight, Look& look);
+  void sort_returns();
+  void mark_looks(const ScanTable& scan) const;
+  bool counts(int look) const {
+    return counted_[static_cast<std::size_t>(look - looks_.front().number)] != 0;
+  }
+  double sonar_excess(const ScanTable& scan, const Place& place, double rate) const;
+  double earth_excess(const ScanTable& scan, const Place& place, double rate) const;
+  double background_at(const ScanTable& scan, const Place& place, double rate) const;
+  double recent_excess(const ScanTable& scan, const Place& place, double rate) const;
+  double clear_around(const ScanTable& scan, const Place& place, double rate) const;
+  double views_of(const ScanTable& scan, const Place& place) const;
+
+  ClutterMapParams params_;
+  double range_reach_;  ///< [m].
+  std::int64_t spacing_us_, leave_out_us_;
+  std::vector<Look> looks_;  ///< The oldest first.
+  std::vector<Look> spare_;  ///< Those not in use yet, with their buffers.
+  std::vector<BinnedPoint> points_;
+  PointBins earth_, sonar_;
+  mutable std::vector<char> counted_;  ///< Of each look, whether it judges the scan at hand,
+  mutable double num_counted_ = 0.0;   ///< how many do,
+  mutable double num_recent_ = 0.0;    ///< and how many are near it in time.
+  double standing_;
+};
+
+}  // namespace lookout::csht

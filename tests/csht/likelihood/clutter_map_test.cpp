@@ -1,0 +1,129 @@
+#include "csht/likelihood/clutter_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "core/random.hpp"
+#include "csht/likelihood/scan_history.hpp"
+#include "tests/csht/posed_scans.hpp"
+
+namespace lookout::csht {
+namespace {
+
+constexpr double kFalseAlarm = 0.1;
+constexpr double kRate = 9.0;  // 90 beams.
+constexpr int kScans = 80;
+
+core::SonarReturn in_beam(int beam, double range) {
+  return {core::radians(-44.5 + beam), range, 1};
+}
+
+// A map after `kScans` scans of a sonar that goes north at `speed` [m/s]: uniform clutter and, in each scan,
+// what `extra(scan, north of the sonar)` adds, at most one return a beam.
+template <class Extra>
+ClutterMap taught(double speed, ScanHistory& history, const Extra& extra) {
+  ClutterMap map({}, core::SonarParams{});
+  core::Random random(5);
+  for (int k = 0; k < kScans; ++k) {
+    const double north = 0.5 * k * speed;
+    std::vector<core::SonarReturn> returns = extra(k, north);
+    for (int beam = 0; beam < 90; ++beam)
+      if (random.bernoulli(kFalseAlarm)) returns.push_back(in_beam(beam, random.uniform(0.1, 150.0)));
+    history.push(posed_scan(returns, 500'000 * k, {north, 0.0, 0.0}));
+    map.learn_standing(history.newest(), kRate);
+    map.add(history.newest());
+  }
+  return map;
+}
+
+float background_of(const core::SonarReturn& seen, int beam, double north, const ClutterMap& map,
+                    ScanHistory& history) {
+  history.push(posed_scan({seen}, 500'000 * kScans, {north, 0.0, 0.0}));
+  std::vector<float> background(history.newest().background.size());
+  map.price(history.newest(), kRate, background);
+  return background[static_cast<std::size_t>(beam) + 1];
+}
+
+std::vector<core::SonarReturn> nothing(int, double) {
+  return {};
+}
+
+TEST(ClutterMap, UniformClutterIsAllBackground) {
+  ScanHistory history({}, {}, 2);
+  const ClutterMap map = taught(0.8, history, nothing);
+  double sum = 0.0;
+  for (int beam = 0; beam < 90; ++beam)
+    sum += static_cast<double>(background_of(in_beam(beam, 20.0 + beam), beam, 32.0, map, history));
+  EXPECT_GT(sum / 90.0, 0.9);  // Of 90 places a few look dense by chance.
+  EXPECT_LT(map.standing_share(), 0.1);
+}
+
+// Ten beams that report a uniform range in 60 to 90 m: 1/30 a metre where the background makes 0.1/150.
+TEST(ClutterMap, PricesAPatchThatMovesWithTheSonar) {
+  core::Random random(9);
+  ScanHistory history({}, {}, 2);
+  const ClutterMap map = taught(0.8, history, [&](int, double) {
+    std::vector<core::SonarReturn> patch;
+    for (int beam = 50; beam < 60; ++beam) patch.push_back(in_beam(beam, random.uniform(60.0, 90.0)));
+    return patch;
+  });
+  const float inside = background_of(in_beam(55, 75.0), 55, 32.0, map, history);
+  EXPECT_NEAR(1.0 / static_cast<double>(inside), 1.0 + 50.0, 20.0);  // (1/30) / (0.1/150).
+  EXPECT_GT(background_of(in_beam(20, 75.0), 20, 32.0, map, history), 0.8F);
+}
+
+// A rock dead ahead 100 m north of where the sonar set out.
+TEST(ClutterMap, PricesARockThatTheSonarApproaches) {
+  core::Random random(9);
+  ScanHistory history({}, {}, 2);
+  const ClutterMap map = taught(0.8, history, [&](int, double north) {
+    return std::vector{in_beam(45, 100.0 - north + random.gaussian(3.0))};
+  });
+  EXPECT_LT(background_of(in_beam(45, 68.0), 45, 32.0, map, history), 0.1F);
+  EXPECT_GT(map.standing_share(), 0.05);  // One return in ten.
+}
+
+// A target that moves across at 1 m/s is gone from a place within the time that is left out.
+TEST(ClutterMap, SparesAMovingTarget) {
+  core::Random random(9);
+  ScanHistory history({}, {}, 2);
+  const auto beam_at = [](int k) { return 20 + k * 50 / kScans; };
+  const ClutterMap map = taught(0.0, history, [&](int k, double) {
+    return std::vector{in_beam(beam_at(k), 50.0 + 0.5 * k + random.gaussian(3.0))};
+  });
+  EXPECT_GT(background_of(in_beam(beam_at(kScans), 90.0), beam_at(kScans), 0.0, map, history), 0.5F);
+}
+
+TEST(ClutterMap, ReturnsThatATargetTookAreNotCounted) {
+  core::Random random(9);
+  ScanHistory history({}, {}, kScans);
+  ClutterMap map = taught(0.0, history, [&](int, double) { return std::vector{in_beam(45, 70.0)}; });
+  for (int age = 0; age < kScans; ++age) {
+    const ScanTable& scan = history.at_age(age);
+    std::vector<double> own;
+    for (const core::Detection& detection : scan.detections)
+      own.push_back(detection.beam == 45 && detection.range == 70.0 ? 1.0 : 0.0);
+    map.discount(scan, own, kRate);
+  }
+  history.push(posed_scan({}, 500'000 * kScans));
+  map.add(history.newest());
+  EXPECT_GT(background_of(in_beam(45, 70.0), 45, 0.0, map, history), 0.5F);
+}
+
+template <class Value>
+void expect_refused(Value ClutterMapParams::*member, Value value) {
+  ClutterMapParams params;
+  params.*member = value;
+  EXPECT_THROW(validate(params), std::invalid_argument);
+}
+
+TEST(ClutterMap, RefusesBadParameters) {
+  expect_refused(&ClutterMapParams::memory_looks, 1);
+  expect_refused(&ClutterMapParams::leave_out_time, 0.0);
+  expect_refused(&ClutterMapParams::least_share, 0.5);
+  expect_refused(&ClutterMapParams::most_returns, 1);
+}
+
+}  // namespace
+}  // namespace lookout::csht
