@@ -54,6 +54,7 @@ JointEngineParams window_engine() {
   engine.hypotheses.settled_log_odds = 20.0;  // A cap alone: all odds come from the whole window.
   engine.cloud.trusted_share = 0.02;
   engine.prior.uniform_speeds = true;
+  engine.clutter.map.enabled = false;  // A single window is too short to learn from.
   return engine;
 }
 
@@ -62,7 +63,6 @@ JointEstimatorParams JointEstimatorParams::window() {
   params.alone.prior.interior_rate = 0.0;
   params.alone.prior.settling_rate = 0.0;
   params.alone.prior.in_view_from_start = true;
-  params.alone.clutter.map.enabled = false;  // A single window is too short to learn from.
   return params;
 }
 

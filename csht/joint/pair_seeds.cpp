@@ -44,6 +44,9 @@ int birth_window(const ScanHistory& scans, const BirthParams& params) {
 PairSeeds::PairSeeds(const BirthParams& params) : params_(params) {
   pairs_.resize(kReserve);
   pairs_.resize(0);
+  scores_.reserve(kReserve);
+  sum_.reserve(kReserve);
+  step_.reserve(kReserve);
 }
 
 std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const TargetPrior& prior) {

@@ -11,6 +11,7 @@ namespace lookout::csht {
 namespace {
 
 constexpr double kMicroseconds = 1e6;
+constexpr double kShortestTime = 1e-3, kLongestTime = 1e3;  // [s]
 constexpr double kClear =
     0.5;  // Background's share around a return from which a track is believed to have made it.
 // A frame around a place, and its middle: half widths in beams and in reaches of the kernel.
@@ -28,6 +29,11 @@ double triangle(double x) {
 double triangle_below(double x) {
   const double c = std::clamp(x, -1.0, 1.0);
   return c < 0.0 ? 0.5 * (1.0 + c) * (1.0 + c) : 1.0 - 0.5 * (1.0 - c) * (1.0 - c);
+}
+
+// The fastest target's way through a range sigma [s]; no sensor is beyond these bounds.
+double unit_of_time(const core::SonarParams& sonar) {
+  return std::clamp(sonar.range_sigma / sonar.max_speed, kShortestTime, kLongestTime);
 }
 
 std::int64_t microseconds(double seconds) {
@@ -64,16 +70,16 @@ void validate(const ClutterMapParams& p) {
 ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& sonar)
     : params_(params),
       range_reach_(params.range_reach * sonar.range_sigma),
-      spacing_us_(
-          microseconds(params.memory_time * sonar.range_sigma / sonar.max_speed / params.memory_looks)),
-      leave_out_us_(microseconds(params.leave_out_time * sonar.range_sigma / sonar.max_speed)),
+      spacing_us_(microseconds(params.memory_time * unit_of_time(sonar) / params.memory_looks)),
+      leave_out_us_(microseconds(params.leave_out_time * unit_of_time(sonar))),
       standing_(params.standing_share) {
   if (params.enabled) reserve();
 }
 
 // All buffers at once: afterwards a scan allocates nothing.
 void ClutterMap::reserve() {
-  const std::int64_t waiting = leave_out_us_ / std::max<std::int64_t>(1, spacing_us_);
+  const std::int64_t waiting =
+      std::min<std::int64_t>(params_.memory_looks, leave_out_us_ / std::max<std::int64_t>(1, spacing_us_));
   const auto most_looks = static_cast<std::size_t>(params_.memory_looks + waiting);
   const auto most_returns = static_cast<std::size_t>(params_.most_returns);
   looks_.reserve(most_looks);

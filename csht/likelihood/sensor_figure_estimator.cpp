@@ -32,7 +32,7 @@ Sighting sight_in_beam(const ScanTable& scan, double range, double bearing) {
   }
   const double residual = scan.range[slot] - range;
   const double sigmas = residual * scan.inverse_sigma;
-  const double own = scan.gain * scan.background[slot] * std::exp(-0.5 * sigmas * sigmas);
+  const double own = scan.gain * std::exp(-0.5 * sigmas * sigmas);
   // A return that does not fit is of something else: the trajectory or the model is wrong, so that neither a
   // detection nor a miss is learnt.
   return {own / (own + scan.base[slot]), 0.0, 0.0, residual, range};
@@ -47,7 +47,7 @@ Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
     const double dr = scan.detections[j].range - range;
     const double db = core::wrap_to_pi(scan.bearing_from_axis[j] - bearing) * scan.inverse_bearing_sigma;
     const double sigmas = dr * scan.inverse_sigma;
-    const double own = scan.gain * scan.background[j] * std::exp(-0.5 * (sigmas * sigmas + db * db));
+    const double own = scan.gain * std::exp(-0.5 * (sigmas * sigmas + db * db));
     if (own > best) sighting.residual = dr;
     best = std::max(best, own);
     returns += own;

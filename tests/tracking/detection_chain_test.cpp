@@ -44,7 +44,7 @@ Outcome outcome_of(const std::vector<core::PosedImage>& pings, const ChainParams
       },
       [](const std::string&) {}, [&](const core::SonarScan& scan) { outcome.scans.push_back(scan); });
   for (const auto& ping : pings) {
-    chain.add(core::VehicleState{ping.image.utime, {}, {}});
+    chain.add(core::VehicleState{ping.image.utime, {}, {0.0, 0.0}});
     chain.add(ping.image);
   }
   chain.finish();
@@ -97,7 +97,7 @@ TEST(DetectionChain, GivesTheTracksOfItsOwnScans) {
     tracks.push_back({result.utime, {result.tracks.begin(), result.tracks.end()}});
   });
   for (const auto& scan : outcome.scans) {
-    chain.add(core::VehicleState{scan.utime, {}, {}});
+    chain.add(core::VehicleState{scan.utime, {}, {0.0, 0.0}});
     chain.add(scan);
   }
   chain.finish();

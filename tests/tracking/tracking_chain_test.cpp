@@ -129,7 +129,7 @@ TEST(TrackingChain, IsFiveLinesForAProgramOfOnesOwn) {
   std::int64_t scans = 0;
   TrackingChain chain(
       {}, [&scans](const PingResult& result) { scans += result.method == core::EstimatorMethod::joint; });
-  chain.add(core::VehicleState{0, {}, {}});
+  chain.add(core::VehicleState{0, {}, {0.0, 0.0}});
   core::SonarScan scan;
   scan.first_bearing = -0.5;
   scan.bearing_step = 0.1;

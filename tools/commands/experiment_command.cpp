@@ -35,7 +35,7 @@ MonteCarloOptions monte_carlo_options(const Options& options) {
 /// Results, report, extras and plots of all runs.
 void report(const Experiment& experiment, const Options& options, const MonteCarloOptions& how) {
   ExperimentResults results = run_monte_carlo(experiment, options.method, how);
-  results.command = study_of(options.method, how).command + " --out " + options.out;
+  results.command = study_of(options.method, how).command;
   write_results(experiment, results, options.out);
   log_info("wrote " + options.out + "/results.json, results.csv and report.md");
   experiment.write_extras({options.seed, options.runs, options.jobs,

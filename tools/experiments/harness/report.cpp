@@ -121,11 +121,12 @@ void write_table(const ExperimentResults& results, const std::string& method, st
 }
 
 void write_report(const Experiment& experiment, const ExperimentResults& results, const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
   std::ostringstream file;
   file << "# " << results.name << "\n\n" << experiment.summary() << "\n\n";
   file << "Scenario " << experiment.scenario() << ", seed " << results.seed << ", " << results.runs
        << " runs (fewer where a method is capped).\n\nCommit: " << version() << "\n\n    " << results.command
-       << "\n\n"
+       << " --out " << folder << "\n\n"
        << "Each figure: mean ± half width of its 95 % interval by Student's t (the paper's figure).\n";
   std::vector<std::string> methods;
   for (const auto& result : results.cells) {

@@ -101,6 +101,7 @@ bool VctInitiator::search(const PlotWindow& window, double turn_rate) {
 void VctInitiator::prepare(const PlotWindow& window) {
   started_.clear();
   chains_.clear();
+  chain_plots_.clear();
   num_scans_ = window.num_scans();
   while (static_cast<int>(chain_gates_.size()) <= num_scans_)
     chain_gates_.push_back(
@@ -236,20 +237,24 @@ void VctInitiator::collect_chains() {
   for (std::size_t b = 0; b < branches_.size(); ++b) {
     if (!accepted(branches_[b])) continue;
     collect_plots(static_cast<int>(b));
-    chains_.push_back({branches_[b].log_expected, turn_rate_, plots_});
+    chains_.push_back({branches_[b].log_expected, turn_rate_, chain_plots_.size(), plots_.size()});
+    chain_plots_.insert(chain_plots_.end(), plots_.begin(), plots_.end());
   }
 }
 
 /// Greedy: the chain with the fewest false ones expected first, one plot serves one track.
 void VctInitiator::declare(const PlotWindow& window) {
-  std::stable_sort(chains_.begin(), chains_.end(),
-                   [](const Chain& a, const Chain& b) { return a.log_expected < b.log_expected; });
+  // By expectation, then in the order found; std::stable_sort would allocate.
+  std::sort(chains_.begin(), chains_.end(), [](const Chain& a, const Chain& b) {
+    return a.log_expected != b.log_expected ? a.log_expected < b.log_expected : a.first_plot < b.first_plot;
+  });
   used_.assign(static_cast<std::size_t>(window.num_plots()), 0);
   for (const Chain& chain : chains_) {
     const auto is_used = [&](int plot) { return used_[static_cast<std::size_t>(plot)] != 0; };
-    if (std::ranges::any_of(chain.plots, is_used)) continue;
-    for (const int plot : chain.plots) used_[static_cast<std::size_t>(plot)] = 1;
-    add_track(window, chain.plots, motion_, -chain.log_expected, started_, chain.turn_rate);
+    const std::span<const int> plots = plots_of(chain);
+    if (std::ranges::any_of(plots, is_used)) continue;
+    for (const int plot : plots) used_[static_cast<std::size_t>(plot)] = 1;
+    add_track(window, plots, motion_, -chain.log_expected, started_, chain.turn_rate);
   }
   started_.survivors = started_.plots;
 }

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tracking/initiation/initiator.hpp"
@@ -68,7 +69,7 @@ class VctInitiator : public Initiator {
   struct Chain {
     double log_expected = 0.0;
     double turn_rate = 0.0;  ///< [rad/s].
-    std::vector<int> plots;
+    std::size_t first_plot = 0, num_plots = 0;  ///< In `chain_plots_`.
   };
   /// A branch that a plot could get.
   struct Proposal {
@@ -105,6 +106,10 @@ class VctInitiator : public Initiator {
   std::vector<Branch> branches_;
   std::vector<int> first_branch_;  ///< Of each plot, and one past the last: branches in order of plot.
   std::vector<Proposal> proposals_;
+  std::vector<int> chain_plots_;  ///< Of all chains.
+  std::span<const int> plots_of(const Chain& chain) const {
+    return {chain_plots_.data() + chain.first_plot, chain.num_plots};
+  }
   std::vector<Chain> chains_;
   std::vector<char> used_;
   std::vector<int> plots_;

@@ -43,7 +43,7 @@ TEST(Report, WritesTheContractsFields) {
   EXPECT_EQ(json["commit"], version());
   const std::string report = text_of(folder.file("report.md"));
   EXPECT_NE(report.find("seed 9, 20 runs"), std::string::npos);
-  EXPECT_NE(report.find("\n    " + results.command + "\n"), std::string::npos);
+  EXPECT_NE(report.find("\n    " + results.command + " --out "), std::string::npos);
   EXPECT_NE(report.find("\nCommit: " + version() + "\n"), std::string::npos);
 }
 

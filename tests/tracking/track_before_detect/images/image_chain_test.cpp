@@ -13,10 +13,10 @@ TEST(ImageChain, GivesOneListForEachImageBetweenTwoStates) {
       {}, "h_pmht", [&](const PingResult& result) { utimes.push_back(result.utime); },
       [](const std::string&) {});
   const auto pings = pings_of(sonar_scene("", 2.0), 1006);
-  chain.add(core::VehicleState{pings.front().image.utime, {}, {}});
+  chain.add(core::VehicleState{pings.front().image.utime, {}, {0.0, 0.0}});
   for (const auto& ping : pings) {
     chain.add(ping.image);
-    chain.add(core::VehicleState{ping.image.utime + 1, {}, {}});
+    chain.add(core::VehicleState{ping.image.utime + 1, {}, {0.0, 0.0}});
   }
   chain.finish();
   ASSERT_EQ(utimes.size(), pings.size());
