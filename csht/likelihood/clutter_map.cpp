@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <optional>
 
 #include "core/parameter_check.hpp"
 
@@ -12,8 +13,8 @@ namespace {
 
 constexpr double kMicroseconds = 1e6;
 constexpr double kShortestTime = 1e-3, kLongestTime = 1e3;  // [s]
-constexpr double kClear =
-    0.5;  // Background's share around a return from which a track is believed to have made it.
+// Background's share around a return from which on a track is believed to have made it.
+constexpr double kClear = 0.5;
 // A frame around a place, and its middle: half widths in beams and in reaches of the kernel.
 constexpr double kFrameBeams = 6.0, kFrameReaches = 2.0, kMiddleBeams = 2.0, kMiddleReaches = 1.0;
 // A kernel's counts are no Poisson numbers: divided by this, the mean of its squares over its mean, their
@@ -34,6 +35,17 @@ double triangle_below(double x) {
 // The fastest target's way through a range sigma [s]; no sensor is beyond these bounds.
 double unit_of_time(const core::SonarParams& sonar) {
   return std::clamp(sonar.range_sigma / sonar.max_speed, kShortestTime, kLongestTime);
+}
+
+// Where a scan keeps a detection's return. None for what is in no beam, or behind a nearer return of its
+// beam.
+std::optional<std::size_t> slot_of(const ScanTable& scan, std::size_t index) {
+  if (scan.clutter == ClutterModel::point) return index;
+  const core::Detection& detection = scan.detections[index];
+  if (detection.beam < 0 || detection.beam >= scan.num_beams) return std::nullopt;
+  const std::size_t slot = static_cast<std::size_t>(detection.beam) + 1;
+  if (scan.range[slot] != static_cast<float>(detection.range)) return std::nullopt;
+  return slot;
 }
 
 std::int64_t microseconds(double seconds) {
@@ -132,8 +144,9 @@ ClutterMap::Look& ClutterMap::next_look() {
 void ClutterMap::take_return(const ScanTable& scan, const core::Detection& detection, float weight,
                              Look& look) {
   const Place place = place_of(scan, detection);
-  const bool point = scan.clutter == ClutterModel::point;
-  const float own = point ? weight : weight * scan.share[static_cast<std::size_t>(detection.beam) + 1];
+  const bool in_beam =
+      scan.clutter != ClutterModel::point && detection.beam >= 0 && detection.beam < scan.num_beams;
+  const float own = in_beam ? weight * scan.share[static_cast<std::size_t>(detection.beam) + 1] : weight;
   look.earth.push_back(
       {static_cast<float>(place.p_earth.x()), static_cast<float>(place.p_earth.y()), own, look.number});
   look.sonar.push_back(
@@ -178,11 +191,11 @@ void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& b
   background.assign(background.size(), 1.0F);
   mark_looks(scan);
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
+    const std::optional<std::size_t> slot = slot_of(scan, j);
+    if (!slot) continue;
     const Place place = place_of(scan, scan.detections[j]);
     const auto share = static_cast<float>(looks_.empty() ? 1.0 : background_at(scan, place, rate));
-    const std::size_t slot =
-        scan.clutter == ClutterModel::point ? j : static_cast<std::size_t>(scan.detections[j].beam) + 1;
-    background[slot] = scan.clutter == ClutterModel::point ? share : share * scan.share[slot];
+    background[*slot] = scan.clutter == ClutterModel::point ? share : share * scan.share[*slot];
   }
   if (!scan.whole_circle || scan.clutter == ClutterModel::point) return;
   background[0] = background[static_cast<std::size_t>(scan.num_beams)];

@@ -119,6 +119,19 @@ void expect_refused(Value ClutterMapParams::*member, Value value) {
   EXPECT_THROW(validate(params), std::invalid_argument);
 }
 
+// Of two returns of a beam the likelihood takes the nearer, wherever it stands in the scan.
+TEST(ClutterMap, PricesTheReturnThatTheLikelihoodTakes) {
+  ScanHistory history({}, {}, 2);
+  const ClutterMap map = taught(0.0, history, [](int, double) { return std::vector{in_beam(45, 70.0)}; });
+  for (const auto& returns : {std::vector{in_beam(45, 70.0), in_beam(45, 120.0)},
+                              std::vector{in_beam(45, 120.0), in_beam(45, 70.0)}}) {
+    history.push(posed_scan(returns, 500'000 * kScans));
+    std::vector<float> background(history.newest().background.size());
+    map.price(history.newest(), kRate, background);
+    EXPECT_LT(background[46], 0.1F);
+  }
+}
+
 TEST(ClutterMap, RefusesBadParameters) {
   expect_refused(&ClutterMapParams::memory_looks, 1);
   expect_refused(&ClutterMapParams::leave_out_time, 0.0);
