@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csht/joint/evidence/memory_span.hpp"
+#include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -22,8 +23,7 @@ ClutterLearning::ClutterLearning(const ClutterLearningParams& params, const core
     : params_(params),
       map_(params.map, sonar),
       spill_(params.spill),
-      leave_out_s_(params.map.leave_out_time * sonar.range_sigma / sonar.max_speed),
-      sure_age_s_(params.sure_age * sonar.range_sigma / sonar.max_speed),
+      sure_age_s_(params.sure_age * unit_of_time(sonar)),
       max_speed_(sonar.max_speed) {}
 
 void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
@@ -46,7 +46,7 @@ void ClutterLearning::reserve(const ScanTable& scan, int scans) {
 void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
   if (!params_.map.enabled) return;
   const bool judges = likelihood.scans().pushed() % params_.judge_every == 0;
-  const int settled = oldest_within(leave_out_s_, likelihood.scans());
+  const int settled = oldest_within(map_.leave_out_s(), likelihood.scans());
   for (int age = settled; age < (judges ? likelihood.scans().size() : settled + 1); ++age)
     discount_movers(age, tracks, likelihood);
   map_.learn_standing(likelihood.scans().newest(), background_rate(likelihood));

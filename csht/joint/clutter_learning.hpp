@@ -39,7 +39,7 @@ class ClutterLearning {
   ClutterLearningParams params_;
   ClutterMap map_;
   SpillModel spill_;
-  double leave_out_s_, sure_age_s_, max_speed_;
+  double sure_age_s_, max_speed_;
   std::vector<std::vector<float>> background_;  ///< New prices by age,
   std::vector<int> changed_;                    ///< and the ages where they differ.
   std::vector<double> own_, ratio_;

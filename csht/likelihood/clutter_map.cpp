@@ -7,12 +7,12 @@
 #include <optional>
 
 #include "core/parameter_check.hpp"
+#include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
 namespace {
 
 constexpr double kMicroseconds = 1e6;
-constexpr double kShortestTime = 1e-3, kLongestTime = 1e3;  // [s]
 // Background's share around a return from which on a track is believed to have made it.
 constexpr double kClear = 0.5;
 // A frame around a place, and its middle: half widths in beams and in reaches of the kernel.
@@ -30,11 +30,6 @@ double triangle(double x) {
 double triangle_below(double x) {
   const double c = std::clamp(x, -1.0, 1.0);
   return c < 0.0 ? 0.5 * (1.0 + c) * (1.0 + c) : 1.0 - 0.5 * (1.0 - c) * (1.0 - c);
-}
-
-// The fastest target's way through a range sigma [s]; no sensor is beyond these bounds.
-double unit_of_time(const core::SonarParams& sonar) {
-  return std::clamp(sonar.range_sigma / sonar.max_speed, kShortestTime, kLongestTime);
 }
 
 // Where a scan keeps a detection's return. None for what is in no beam, or behind a nearer return of its
@@ -59,6 +54,7 @@ void validate(const ClutterMapParams& p) {
                 p.memory_looks);
   core::require(p.memory_time > 0.0, "memory_time must be > 0", p.memory_time);
   core::require(p.leave_out_time > 0.0, "leave_out_time must be > 0", p.leave_out_time);
+  core::require(p.leave_out_scans >= 0.0, "leave_out_scans must be >= 0", p.leave_out_scans);
   core::require(p.range_reach > 0.0, "range_reach must be > 0", p.range_reach);
   core::require(p.sonar_beams > 0.0, "sonar_beams must be > 0", p.sonar_beams);
   core::require(p.earth_beams > 0.0, "earth_beams must be > 0", p.earth_beams);
@@ -82,8 +78,9 @@ void validate(const ClutterMapParams& p) {
 ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& sonar)
     : params_(params),
       range_reach_(params.range_reach * sonar.range_sigma),
+      leave_out_s_(sensor_seconds(params.leave_out_time, params.leave_out_scans, sonar)),
       spacing_us_(microseconds(params.memory_time * unit_of_time(sonar) / params.memory_looks)),
-      leave_out_us_(microseconds(params.leave_out_time * unit_of_time(sonar))),
+      leave_out_us_(microseconds(leave_out_s_)),
       standing_(params.standing_share) {
   if (params.enabled) reserve();
 }

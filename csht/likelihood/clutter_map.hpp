@@ -19,8 +19,9 @@ struct ClutterMapParams {
   int memory_looks = 60;      ///< Scans that are counted, 2 to 1000.
   double memory_time = 30.0;  ///< Their least span [range sigma / max speed], > 0: scans that come faster are
                               ///< thinned out.
-  /// A scan is not judged by others so near in time [range sigma / max speed], > 0: a target is in them.
-  double leave_out_time = 4.0;
+  /// A scan is not judged by others so near in time [range sigma / max speed], > 0, nor by so few scans, >= 0:
+  /// a target is in them that no track has found yet.
+  double leave_out_time = 4.0, leave_out_scans = 8.0;
   double range_reach = 4.0 / 3.0;  ///< Half width of the kernel along the line of sight [range sigmas], > 0.
   double sonar_beams = 3.0;        ///< And across it, in the sonar's frame [beams], > 0.
   double earth_beams = 1.5;        ///< Likewise in the earth's frame, > 0.
@@ -61,6 +62,8 @@ class ClutterMap {
 
   /// Learns from the newest scan how much of what returns stands still. @param rate as for `price`.
   void learn_standing(const ScanTable& newest, double rate);
+  /// Scans nearer in time than this do not judge each other [s].
+  double leave_out_s() const { return leave_out_s_; }
   double standing_share() const { return standing_; }  ///< Probability that a return is of what stands still.
 
  private:
@@ -97,6 +100,7 @@ class ClutterMap {
 
   ClutterMapParams params_;
   double range_reach_;  ///< [m].
+  double leave_out_s_;
   std::int64_t spacing_us_, leave_out_us_;
   std::vector<Look> looks_;  ///< The oldest first.
   std::vector<Look> spare_;  ///< Those not in use yet, with their buffers.
