@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
 
 #include "csht/joint/evidence/memory_span.hpp"
 #include "csht/likelihood/sensor_units.hpp"
@@ -15,6 +18,12 @@ double background_rate(const ScanLikelihood& likelihood) {
   return scans.newest().clutter == ClutterModel::point
              ? figures.clutter_per_scan
              : figures.false_alarm_probability * scans.newest().num_beams;
+}
+
+// ln of the volume that a Gaussian of a track's covariance fills [m^2 (m/s)^2].
+double log_volume(const CloudMoments& moments) {
+  const double log_two_pi = std::log(2.0 * std::numbers::pi);
+  return 0.5 * std::log(moments.covariance.topLeftCorner<4, 4>().determinant()) + 2.0 * log_two_pi;
 }
 
 }  // namespace
@@ -82,6 +91,21 @@ bool ClutterLearning::surely_moves(const TargetTrack& track, std::int64_t now) c
 }
 
 void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
+  price_anew(likelihood);
+  if (changed_.empty()) return;
+  gains_.resize(std::max(gains_.size(), tracks.size()));
+  for (const bool after : {false, true}) {
+    for (std::size_t slot = 0; slot < tracks.size(); ++slot)
+      if (tracks[slot].used) add_gains(after, tracks[slot], static_cast<int>(slot), likelihood);
+    if (after) break;
+    for (const int age : changed_) likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
+  }
+  for (std::size_t slot = 0; slot < tracks.size(); ++slot)
+    if (tracks[slot].used) take_change(static_cast<int>(slot), likelihood.scans(), tracks[slot]);
+}
+
+// Sets the new prices of the scans in memory and notes the ages where they differ from those that hold.
+void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
   const double rate = background_rate(likelihood);
   changed_.clear();
@@ -91,37 +115,56 @@ void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& 
     now.resize(before.size());
     likelihood.group(age, spill_);
     map_.price(scans.at_age(age), rate, now);
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      if (std::abs(now[k] - before[k]) <= static_cast<float>(params_.least_change) * before[k]) continue;
-      changed_.push_back(age);
-      break;
-    }
+    const auto differs = [&](float one, float other) {
+      return std::abs(one - other) > static_cast<float>(params_.least_change) * other;
+    };
+    if (!std::equal(now.begin(), now.end(), before.begin(), std::not_fn(differs))) changed_.push_back(age);
   }
-  if (changed_.empty()) return;
-  for (TargetTrack& track : tracks) track.log_ratio.assign(track.cloud.size(), 0.0);
-  add_evidence(-1.0, tracks, likelihood);
-  for (const int age : changed_) likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
-  add_evidence(1.0, tracks, likelihood);
-  for (TargetTrack& track : tracks)
-    if (track.used) take_change(track);
 }
 
-void ClutterLearning::add_evidence(double sign, std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
-  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
-    TargetTrack& track = tracks[slot];
-    if (!track.used) continue;
-    const std::int64_t life = likelihood.scans().pushed() - 1 - track.first_scan;
+// Adds what a track gained by each scan of its life, under the prices that hold: its trajectories' mean. What
+// they gain anew less what they gained goes to `log_ratio`.
+void ClutterLearning::add_gains(bool anew, TargetTrack& track, int slot, ScanLikelihood& likelihood) {
+  const ScanHistory& scans = likelihood.scans();
+  const auto life = static_cast<int>(std::min<std::int64_t>(scans.pushed() - track.first_scan, scans.size()));
+  std::vector<double>& gain = gains_[static_cast<std::size_t>(slot)][anew ? 1 : 0];
+  if (anew)
+    gain = gains_[static_cast<std::size_t>(slot)][0];
+  else
+    track.log_ratio.assign(track.cloud.size(), 0.0);
+  gain.resize(static_cast<std::size_t>(std::max(life, 0)));
+  for (int age = 0; age < life; ++age) {
+    const bool changed = std::binary_search(changed_.begin(), changed_.end(), age);
+    if (anew && !changed) continue;
     ratio_.assign(track.cloud.size(), 0.0);
-    for (const int age : changed_)
-      if (age <= life)
-        likelihood.add(track.cloud, track.moments.mean, {age, age, false}, static_cast<int>(slot), ratio_);
-    for (std::size_t i = 0; i < ratio_.size(); ++i) track.log_ratio[i] += sign * ratio_[i];
+    likelihood.add(track.cloud, track.moments.mean, {age, age, false}, slot, ratio_);
+    gain[static_cast<std::size_t>(age)] =
+        std::inner_product(ratio_.begin(), ratio_.end(), track.cloud.weight.begin(), 0.0);
+    if (!changed) continue;
+    for (std::size_t i = 0; i < ratio_.size(); ++i) track.log_ratio[i] += anew ? ratio_[i] : -ratio_[i];
   }
 }
 
-void ClutterLearning::take_change(TargetTrack& track) {
-  track.log_odds += track.cloud.reweigh(track.log_ratio);
+void ClutterLearning::take_change(int slot, const ScanHistory& scans, TargetTrack& track) const {
+  const auto& [before, after] = gains_[static_cast<std::size_t>(slot)];
+  track.log_odds += lived_odds(after, scans, track) - lived_odds(before, scans, track);
+  track.cloud.reweigh(track.log_ratio);
   track.moments = track.cloud.moments();
+}
+
+// Odds of a target that gained so much by each scan of its life and may have vanished between any two of
+// them, the Bernoulli filter's recursion ([Ristic2013]). Before the first scan they are those of the prior in
+// the volume that its density fills now (Laplace's method).
+double ClutterLearning::lived_odds(const std::vector<double>& gain, const ScanHistory& scans,
+                                   const TargetTrack& track) const {
+  double odds = track.log_density + log_volume(track.moments);
+  for (auto age = static_cast<int>(gain.size()) - 1; age >= 0; --age) {
+    odds += gain[static_cast<std::size_t>(age)];
+    if (age == 0) break;
+    const double seconds = scans.seconds_at_age(age - 1) - scans.seconds_at_age(age);
+    odds = log_odds(probability(odds) * std::exp(-seconds / mean_life_s_));
+  }
+  return odds;
 }
 
 }  // namespace lookout::csht
