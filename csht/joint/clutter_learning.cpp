@@ -6,11 +6,13 @@
 #include <numbers>
 #include <numeric>
 
-#include "csht/joint/evidence/memory_span.hpp"
+#include "csht/joint/density/lived_odds.hpp"
 #include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
 namespace {
+
+constexpr double kLikely = 0.5;  // Existence of a track whose returns are taken for a target's.
 
 double background_rate(const ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
@@ -20,10 +22,12 @@ double background_rate(const ScanLikelihood& likelihood) {
              : figures.false_alarm_probability * scans.newest().num_beams;
 }
 
-// ln of the volume that a Gaussian of a track's covariance fills [m^2 (m/s)^2].
+// ln of the volume that a Gaussian of a track's covariance fills [m^2 (m/s)^2]; finite for a single point
+// too.
 double log_volume(const CloudMoments& moments) {
-  const double log_two_pi = std::log(2.0 * std::numbers::pi);
-  return 0.5 * std::log(moments.covariance.topLeftCorner<4, 4>().determinant()) + 2.0 * log_two_pi;
+  const double determinant = moments.covariance.topLeftCorner<4, 4>().determinant();
+  return 0.5 * std::log(std::max(determinant, std::numeric_limits<double>::min())) +
+         2.0 * std::log(2.0 * std::numbers::pi);
 }
 
 }  // namespace
@@ -54,36 +58,48 @@ void ClutterLearning::reserve(const ScanTable& scan, int scans) {
 
 void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
   if (!params_.map.enabled) return;
-  const bool judges = likelihood.scans().pushed() % params_.judge_every == 0;
-  const int settled = oldest_within(map_.leave_out_s(), likelihood.scans());
-  for (int age = settled; age < (judges ? likelihood.scans().size() : settled + 1); ++age)
-    discount_movers(age, tracks, likelihood);
-  map_.learn_standing(likelihood.scans().newest(), background_rate(likelihood));
-  map_.add(likelihood.scans().newest());
-  if (judges) judge_anew(tracks, likelihood);
+  const ScanHistory& scans = likelihood.scans();
+  mark(tracks, [](const TargetTrack& track) { return track.existence() > kLikely; });
+  own_returns(0, likelihood);
+  map_.learn(scans.newest(), own_, background_rate(likelihood));
+  map_.add(scans.newest());
+  if (scans.pushed() % params_.judge_every != 0) return;
+  discount_movers(tracks, likelihood);
+  judge_anew(tracks, likelihood);
 }
 
-// What a target was detected by is known once the scan is as old as those that do not judge each other.
-void ClutterLearning::discount_movers(int age, std::span<const TargetTrack> tracks,
-                                      const ScanLikelihood& likelihood) {
+// Marks the tracks that `holds` is true of. @return whether there is one.
+template <class Condition>
+bool ClutterLearning::mark(std::span<const TargetTrack> tracks, const Condition& holds) {
+  marked_.assign(tracks.size(), 0);
+  for (std::size_t k = 0; k < tracks.size(); ++k) marked_[k] = tracks[k].used && holds(tracks[k]) ? 1 : 0;
+  return std::find(marked_.begin(), marked_.end(), 1) != marked_.end();
+}
+
+void ClutterLearning::discount_movers(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood) {
+  const ScanHistory& scans = likelihood.scans();
+  const std::int64_t now = scans.newest().utime;
+  if (!mark(tracks, [&](const TargetTrack& track) { return surely_moves(track, now); })) return;
+  for (int age = 0; age < scans.size(); ++age) {
+    own_returns(age, likelihood);
+    map_.discount(scans.at_age(age), own_, background_rate(likelihood));
+  }
+}
+
+// Probabilities that the returns of a scan are of the tracks that are marked.
+void ClutterLearning::own_returns(int age, const ScanLikelihood& likelihood) {
   const ScanTable& scan = likelihood.scans().at_age(age);
-  moves_.assign(tracks.size(), 0);
-  bool any = false;
-  for (std::size_t k = 0; k < tracks.size(); ++k)
-    any |= (moves_[k] = surely_moves(tracks[k], likelihood.scans().newest().utime) ? 1 : 0) != 0;
-  if (!any) return;
   own_.clear();
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     const core::Detection& detection = scan.detections[j];
     const bool point = scan.clutter == ClutterModel::point;
     own_.push_back(
-        likelihood.explained(age, point ? static_cast<int>(j) : detection.beam, detection.range, moves_));
+        likelihood.explained(age, point ? static_cast<int>(j) : detection.beam, detection.range, marked_));
   }
-  map_.discount(scan, own_, background_rate(likelihood));
 }
 
 bool ClutterLearning::surely_moves(const TargetTrack& track, std::int64_t now) const {
-  if (!track.used || track.existence() < params_.sure_existence) return false;
+  if (track.existence() < params_.sure_existence) return false;
   if (core::seconds(now - track.first_utime) < sure_age_s_) return false;
   const double speed = track.moments.mean.segment<2>(2).norm();
   const double sigma = std::sqrt(0.5 * (track.moments.covariance(2, 2) + track.moments.covariance(3, 3)));
@@ -94,6 +110,11 @@ void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& 
   price_anew(likelihood);
   if (changed_.empty()) return;
   gains_.resize(std::max(gains_.size(), tracks.size()));
+  const ScanHistory& scans = likelihood.scans();
+  survival_.assign(static_cast<std::size_t>(scans.size()), 1.0);
+  for (int age = 0; age + 1 < scans.size(); ++age)
+    survival_[static_cast<std::size_t>(age)] =
+        std::exp((scans.seconds_at_age(age + 1) - scans.seconds_at_age(age)) / mean_life_s_);
   for (const bool after : {false, true}) {
     for (std::size_t slot = 0; slot < tracks.size(); ++slot)
       if (tracks[slot].used) add_gains(after, tracks[slot], static_cast<int>(slot), likelihood);
@@ -101,7 +122,7 @@ void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& 
     for (const int age : changed_) likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
   }
   for (std::size_t slot = 0; slot < tracks.size(); ++slot)
-    if (tracks[slot].used) take_change(static_cast<int>(slot), likelihood.scans(), tracks[slot]);
+    if (tracks[slot].used) take_change(static_cast<int>(slot), tracks[slot]);
 }
 
 // Sets the new prices of the scans in memory and notes the ages where they differ from those that hold.
@@ -145,26 +166,14 @@ void ClutterLearning::add_gains(bool anew, TargetTrack& track, int slot, ScanLik
   }
 }
 
-void ClutterLearning::take_change(int slot, const ScanHistory& scans, TargetTrack& track) const {
+// The evidence before and anew makes odds of a whole life each; their difference is what changes. Before its
+// first scan a target has the odds of the prior in the volume that its density fills now (Laplace's method).
+void ClutterLearning::take_change(int slot, TargetTrack& track) const {
   const auto& [before, after] = gains_[static_cast<std::size_t>(slot)];
-  track.log_odds += lived_odds(after, scans, track) - lived_odds(before, scans, track);
+  const double first = track.log_density + log_volume(track.moments);
+  track.log_odds += lived_odds(first, after, survival_) - lived_odds(first, before, survival_);
   track.cloud.reweigh(track.log_ratio);
   track.moments = track.cloud.moments();
-}
-
-// Odds of a target that gained so much by each scan of its life and may have vanished between any two of
-// them, the Bernoulli filter's recursion ([Ristic2013]). Before the first scan they are those of the prior in
-// the volume that its density fills now (Laplace's method).
-double ClutterLearning::lived_odds(const std::vector<double>& gain, const ScanHistory& scans,
-                                   const TargetTrack& track) const {
-  double odds = track.log_density + log_volume(track.moments);
-  for (auto age = static_cast<int>(gain.size()) - 1; age >= 0; --age) {
-    odds += gain[static_cast<std::size_t>(age)];
-    if (age == 0) break;
-    const double seconds = scans.seconds_at_age(age - 1) - scans.seconds_at_age(age);
-    odds = log_odds(probability(odds) * std::exp(-seconds / mean_life_s_));
-  }
-  return odds;
 }
 
 }  // namespace lookout::csht

@@ -36,14 +36,15 @@ class ClutterLearning {
 
  private:
   void reserve(const ScanTable& scan, int scans);
-  void discount_movers(int age, std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
+  template <class Condition>
+  bool mark(std::span<const TargetTrack> tracks, const Condition& holds);
+  void discount_movers(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
+  void own_returns(int age, const ScanLikelihood& likelihood);
   bool surely_moves(const TargetTrack& track, std::int64_t now) const;
   void judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
   void price_anew(ScanLikelihood& likelihood);
   void add_gains(bool anew, TargetTrack& track, int slot, ScanLikelihood& likelihood);
-  void take_change(int slot, const ScanHistory& scans, TargetTrack& track) const;
-  double lived_odds(const std::vector<double>& gain, const ScanHistory& scans,
-                    const TargetTrack& track) const;
+  void take_change(int slot, TargetTrack& track) const;
 
   ClutterLearningParams params_;
   ClutterMap map_;
@@ -53,8 +54,9 @@ class ClutterLearning {
   std::vector<std::vector<float>> background_;             ///< New prices by age,
   std::vector<int> changed_;                               ///< and the ages where they differ.
   std::vector<std::array<std::vector<double>, 2>> gains_;  ///< Of each track by age: before, and anew [nats].
+  std::vector<double> survival_;                           ///< By age, from the scan before, see lived_odds.
   std::vector<double> own_, ratio_;
-  std::vector<char> moves_;
+  std::vector<char> marked_;
 };
 
 }  // namespace lookout::csht
