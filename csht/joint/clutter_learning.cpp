@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numbers>
+#include <numeric>
 
-#include "csht/joint/evidence/memory_span.hpp"
+#include "csht/joint/density/lived_odds.hpp"
+#include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
 namespace {
+
+constexpr double kLikely = 0.5;  // Existence of a track whose returns are taken for a target's.
 
 double background_rate(const ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
@@ -16,14 +22,21 @@ double background_rate(const ScanLikelihood& likelihood) {
              : figures.false_alarm_probability * scans.newest().num_beams;
 }
 
+// ln of the volume that a Gaussian of a track's covariance fills [m^2 (m/s)^2]; finite for a single point
+// too.
+double log_volume(const CloudMoments& moments) {
+  const double determinant = moments.covariance.topLeftCorner<4, 4>().determinant();
+  return 0.5 * std::log(std::max(determinant, std::numeric_limits<double>::min())) +
+         2.0 * std::log(2.0 * std::numbers::pi);
+}
+
 }  // namespace
 
 ClutterLearning::ClutterLearning(const ClutterLearningParams& params, const core::SonarParams& sonar)
     : params_(params),
       map_(params.map, sonar),
       spill_(params.spill),
-      leave_out_s_(params.map.leave_out_time * sonar.range_sigma / sonar.max_speed),
-      sure_age_s_(params.sure_age * sonar.range_sigma / sonar.max_speed),
+      sure_age_s_(params.sure_age * unit_of_time(sonar)),
       max_speed_(sonar.max_speed) {}
 
 void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
@@ -45,36 +58,48 @@ void ClutterLearning::reserve(const ScanTable& scan, int scans) {
 
 void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
   if (!params_.map.enabled) return;
-  const bool judges = likelihood.scans().pushed() % params_.judge_every == 0;
-  const int settled = oldest_within(leave_out_s_, likelihood.scans());
-  for (int age = settled; age < (judges ? likelihood.scans().size() : settled + 1); ++age)
-    discount_movers(age, tracks, likelihood);
-  map_.learn_standing(likelihood.scans().newest(), background_rate(likelihood));
-  map_.add(likelihood.scans().newest());
-  if (judges) judge_anew(tracks, likelihood);
+  const ScanHistory& scans = likelihood.scans();
+  mark(tracks, [](const TargetTrack& track) { return track.existence() > kLikely; });
+  own_returns(0, likelihood);
+  map_.learn(scans.newest(), own_, background_rate(likelihood));
+  map_.add(scans.newest());
+  if (scans.pushed() % params_.judge_every != 0) return;
+  discount_movers(tracks, likelihood);
+  judge_anew(tracks, likelihood);
 }
 
-// What a target was detected by is known once the scan is as old as those that do not judge each other.
-void ClutterLearning::discount_movers(int age, std::span<const TargetTrack> tracks,
-                                      const ScanLikelihood& likelihood) {
+// Marks the tracks that `holds` is true of. @return whether there is one.
+template <class Condition>
+bool ClutterLearning::mark(std::span<const TargetTrack> tracks, const Condition& holds) {
+  marked_.assign(tracks.size(), 0);
+  for (std::size_t k = 0; k < tracks.size(); ++k) marked_[k] = tracks[k].used && holds(tracks[k]) ? 1 : 0;
+  return std::find(marked_.begin(), marked_.end(), 1) != marked_.end();
+}
+
+void ClutterLearning::discount_movers(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood) {
+  const ScanHistory& scans = likelihood.scans();
+  const std::int64_t now = scans.newest().utime;
+  if (!mark(tracks, [&](const TargetTrack& track) { return surely_moves(track, now); })) return;
+  for (int age = 0; age < scans.size(); ++age) {
+    own_returns(age, likelihood);
+    map_.discount(scans.at_age(age), own_, background_rate(likelihood));
+  }
+}
+
+// Probabilities that the returns of a scan are of the tracks that are marked.
+void ClutterLearning::own_returns(int age, const ScanLikelihood& likelihood) {
   const ScanTable& scan = likelihood.scans().at_age(age);
-  moves_.assign(tracks.size(), 0);
-  bool any = false;
-  for (std::size_t k = 0; k < tracks.size(); ++k)
-    any |= (moves_[k] = surely_moves(tracks[k], likelihood.scans().newest().utime) ? 1 : 0) != 0;
-  if (!any) return;
   own_.clear();
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     const core::Detection& detection = scan.detections[j];
     const bool point = scan.clutter == ClutterModel::point;
     own_.push_back(
-        likelihood.explained(age, point ? static_cast<int>(j) : detection.beam, detection.range, moves_));
+        likelihood.explained(age, point ? static_cast<int>(j) : detection.beam, detection.range, marked_));
   }
-  map_.discount(scan, own_, background_rate(likelihood));
 }
 
 bool ClutterLearning::surely_moves(const TargetTrack& track, std::int64_t now) const {
-  if (!track.used || track.existence() < params_.sure_existence) return false;
+  if (track.existence() < params_.sure_existence) return false;
   if (core::seconds(now - track.first_utime) < sure_age_s_) return false;
   const double speed = track.moments.mean.segment<2>(2).norm();
   const double sigma = std::sqrt(0.5 * (track.moments.covariance(2, 2) + track.moments.covariance(3, 3)));
@@ -82,6 +107,26 @@ bool ClutterLearning::surely_moves(const TargetTrack& track, std::int64_t now) c
 }
 
 void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
+  price_anew(likelihood);
+  if (changed_.empty()) return;
+  gains_.resize(std::max(gains_.size(), tracks.size()));
+  const ScanHistory& scans = likelihood.scans();
+  survival_.assign(static_cast<std::size_t>(scans.size()), 1.0);
+  for (int age = 0; age + 1 < scans.size(); ++age)
+    survival_[static_cast<std::size_t>(age)] =
+        std::exp((scans.seconds_at_age(age + 1) - scans.seconds_at_age(age)) / mean_life_s_);
+  for (const bool after : {false, true}) {
+    for (std::size_t slot = 0; slot < tracks.size(); ++slot)
+      if (tracks[slot].used) add_gains(after, tracks[slot], static_cast<int>(slot), likelihood);
+    if (after) break;
+    for (const int age : changed_) likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
+  }
+  for (std::size_t slot = 0; slot < tracks.size(); ++slot)
+    if (tracks[slot].used) take_change(static_cast<int>(slot), tracks[slot]);
+}
+
+// Sets the new prices of the scans in memory and notes the ages where they differ from those that hold.
+void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
   const double rate = background_rate(likelihood);
   changed_.clear();
@@ -91,36 +136,43 @@ void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& 
     now.resize(before.size());
     likelihood.group(age, spill_);
     map_.price(scans.at_age(age), rate, now);
-    for (std::size_t k = 0; k < now.size(); ++k) {
-      if (std::abs(now[k] - before[k]) <= static_cast<float>(params_.least_change) * before[k]) continue;
-      changed_.push_back(age);
-      break;
-    }
+    const auto differs = [&](float one, float other) {
+      return std::abs(one - other) > static_cast<float>(params_.least_change) * other;
+    };
+    if (!std::equal(now.begin(), now.end(), before.begin(), std::not_fn(differs))) changed_.push_back(age);
   }
-  if (changed_.empty()) return;
-  for (TargetTrack& track : tracks) track.log_ratio.assign(track.cloud.size(), 0.0);
-  add_evidence(-1.0, tracks, likelihood);
-  for (const int age : changed_) likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
-  add_evidence(1.0, tracks, likelihood);
-  for (TargetTrack& track : tracks)
-    if (track.used) take_change(track);
 }
 
-void ClutterLearning::add_evidence(double sign, std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
-  for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
-    TargetTrack& track = tracks[slot];
-    if (!track.used) continue;
-    const std::int64_t life = likelihood.scans().pushed() - 1 - track.first_scan;
+// Adds what a track gained by each scan of its life, under the prices that hold: its trajectories' mean. What
+// they gain anew less what they gained goes to `log_ratio`.
+void ClutterLearning::add_gains(bool anew, TargetTrack& track, int slot, ScanLikelihood& likelihood) {
+  const ScanHistory& scans = likelihood.scans();
+  const auto life = static_cast<int>(std::min<std::int64_t>(scans.pushed() - track.first_scan, scans.size()));
+  std::vector<double>& gain = gains_[static_cast<std::size_t>(slot)][anew ? 1 : 0];
+  if (anew)
+    gain = gains_[static_cast<std::size_t>(slot)][0];
+  else
+    track.log_ratio.assign(track.cloud.size(), 0.0);
+  gain.resize(static_cast<std::size_t>(std::max(life, 0)));
+  for (int age = 0; age < life; ++age) {
+    const bool changed = std::binary_search(changed_.begin(), changed_.end(), age);
+    if (anew && !changed) continue;
     ratio_.assign(track.cloud.size(), 0.0);
-    for (const int age : changed_)
-      if (age <= life)
-        likelihood.add(track.cloud, track.moments.mean, {age, age, false}, static_cast<int>(slot), ratio_);
-    for (std::size_t i = 0; i < ratio_.size(); ++i) track.log_ratio[i] += sign * ratio_[i];
+    likelihood.add(track.cloud, track.moments.mean, {age, age, false}, slot, ratio_);
+    gain[static_cast<std::size_t>(age)] =
+        std::inner_product(ratio_.begin(), ratio_.end(), track.cloud.weight.begin(), 0.0);
+    if (!changed) continue;
+    for (std::size_t i = 0; i < ratio_.size(); ++i) track.log_ratio[i] += anew ? ratio_[i] : -ratio_[i];
   }
 }
 
-void ClutterLearning::take_change(TargetTrack& track) {
-  track.log_odds += track.cloud.reweigh(track.log_ratio);
+// The evidence before and anew makes odds of a whole life each; their difference is what changes. Before its
+// first scan a target has the odds of the prior in the volume that its density fills now (Laplace's method).
+void ClutterLearning::take_change(int slot, TargetTrack& track) const {
+  const auto& [before, after] = gains_[static_cast<std::size_t>(slot)];
+  const double first = track.log_density + log_volume(track.moments);
+  track.log_odds += lived_odds(first, after, survival_) - lived_odds(first, before, survival_);
+  track.cloud.reweigh(track.log_ratio);
   track.moments = track.cloud.moments();
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -22,28 +24,39 @@ class ClutterLearning {
   /// Sets the background's share of the newest scan's returns, before tracks take it in.
   void price_newest(ScanLikelihood& likelihood);
 
-  /// Takes the newest scan into the map, after the tracks have. Now and then judges all scans anew and adds
-  /// what that changes to weights and odds of the tracks, which stand at the newest scan.
+  /// A target vanishes in view after this time on average [s], > 0; infinity until it is told. What odds
+  /// once gained is forgotten with it.
+  void set_mean_life(double seconds) { mean_life_s_ = seconds; }
+
+  /// Takes the newest scan into the map, after the tracks have. Now and then judges all scans anew and lets
+  /// weights and odds of the tracks, which stand at the newest scan, follow what that changes.
   void learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
 
   double standing_share() const { return map_.standing_share(); }  ///< See ClutterMap.
 
  private:
   void reserve(const ScanTable& scan, int scans);
-  void discount_movers(int age, std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
+  template <class Condition>
+  bool mark(std::span<const TargetTrack> tracks, const Condition& holds);
+  void discount_movers(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
+  void own_returns(int age, const ScanLikelihood& likelihood);
   bool surely_moves(const TargetTrack& track, std::int64_t now) const;
   void judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
-  void add_evidence(double sign, std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
-  static void take_change(TargetTrack& track);
+  void price_anew(ScanLikelihood& likelihood);
+  void add_gains(bool anew, TargetTrack& track, int slot, ScanLikelihood& likelihood);
+  void take_change(int slot, TargetTrack& track) const;
 
   ClutterLearningParams params_;
   ClutterMap map_;
   SpillModel spill_;
-  double leave_out_s_, sure_age_s_, max_speed_;
-  std::vector<std::vector<float>> background_;  ///< New prices by age,
-  std::vector<int> changed_;                    ///< and the ages where they differ.
+  double sure_age_s_, max_speed_;
+  double mean_life_s_ = std::numeric_limits<double>::infinity();
+  std::vector<std::vector<float>> background_;             ///< New prices by age,
+  std::vector<int> changed_;                               ///< and the ages where they differ.
+  std::vector<std::array<std::vector<double>, 2>> gains_;  ///< Of each track by age: before, and anew [nats].
+  std::vector<double> survival_;                           ///< By age, from the scan before, see lived_odds.
   std::vector<double> own_, ratio_;
-  std::vector<char> moves_;
+  std::vector<char> marked_;
 };
 
 }  // namespace lookout::csht

@@ -15,17 +15,16 @@ double log_gamma(double x) {
 
 }  // namespace
 
-double log_excess_factor(double count, double expected, double shape) {
-  return shape * std::log(shape) + log_gamma(count + shape) - log_gamma(shape) -
-         (count + shape) * std::log(expected + shape) + expected;
+double log_excess_factor(double count, double expected, const ExcessPrior& prior) {
+  const double shape = prior.shape, scale = shape / prior.mean;
+  return shape * std::log(scale) + log_gamma(count + shape) - log_gamma(shape) -
+         (count + shape) * std::log(expected + scale) + expected;
 }
 
-double excess_density(double count, double expected, const ExcessPrior& prior) {
-  const double rate = (count + prior.shape) / (expected + prior.shape);
-  if (rate <= 1.0) return 0.0;
+Excess excess(double count, double expected, const ExcessPrior& prior) {
   const double log_odds =
-      std::log(prior.share / (1.0 - prior.share)) + log_excess_factor(count, expected, prior.shape);
-  return (rate - 1.0) / (1.0 + std::exp(-log_odds));
+      std::log(prior.share / (1.0 - prior.share)) + log_excess_factor(count, expected, prior);
+  return {1.0 / (1.0 + std::exp(-log_odds)), (count + prior.shape) / (expected + prior.shape / prior.mean)};
 }
 
 }  // namespace lookout::csht

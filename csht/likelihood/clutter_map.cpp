@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <optional>
 
 #include "core/parameter_check.hpp"
+#include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
 namespace {
 
 constexpr double kMicroseconds = 1e6;
-constexpr double kShortestTime = 1e-3, kLongestTime = 1e3;  // [s]
 // Background's share around a return from which on a track is believed to have made it.
 constexpr double kClear = 0.5;
 // A frame around a place, and its middle: half widths in beams and in reaches of the kernel.
@@ -30,11 +29,6 @@ double triangle(double x) {
 double triangle_below(double x) {
   const double c = std::clamp(x, -1.0, 1.0);
   return c < 0.0 ? 0.5 * (1.0 + c) * (1.0 + c) : 1.0 - 0.5 * (1.0 - c) * (1.0 - c);
-}
-
-// The fastest target's way through a range sigma [s]; no sensor is beyond these bounds.
-double unit_of_time(const core::SonarParams& sonar) {
-  return std::clamp(sonar.range_sigma / sonar.max_speed, kShortestTime, kLongestTime);
 }
 
 // Where a scan keeps a detection's return. None for what is in no beam, or behind a nearer return of its
@@ -59,32 +53,38 @@ void validate(const ClutterMapParams& p) {
                 p.memory_looks);
   core::require(p.memory_time > 0.0, "memory_time must be > 0", p.memory_time);
   core::require(p.leave_out_time > 0.0, "leave_out_time must be > 0", p.leave_out_time);
+  core::require(p.leave_out_scans >= 0.0, "leave_out_scans must be >= 0", p.leave_out_scans);
   core::require(p.range_reach > 0.0, "range_reach must be > 0", p.range_reach);
   core::require(p.sonar_beams > 0.0, "sonar_beams must be > 0", p.sonar_beams);
   core::require(p.earth_beams > 0.0, "earth_beams must be > 0", p.earth_beams);
   core::require(p.sonar_prior.share > 0.0 && p.sonar_prior.share < 1.0, "sonar_prior.share must be in (0, 1)",
                 p.sonar_prior.share);
   core::require(p.sonar_prior.shape > 0.0, "sonar_prior.shape must be > 0", p.sonar_prior.shape);
+  core::require(p.sonar_prior.mean > 0.0, "sonar_prior.mean must be > 0", p.sonar_prior.mean);
   core::require(p.earth_shape > 0.0, "earth_shape must be > 0", p.earth_shape);
   core::require(p.least_share > 0.0 && p.least_share <= p.most_share,
                 "least_share must be in (0, most_share]", p.least_share);
   core::require(p.most_share < 1.0, "most_share must be < 1", p.most_share);
   core::require(p.share_growth >= 0.0, "share_growth must be >= 0", p.share_growth);
-  core::require(p.least_strength > 0.0 && p.least_strength <= p.most_strength,
-                "least_strength must be in (0, most_strength]", p.least_strength);
-  core::require(p.strength_growth >= 0.0, "strength_growth must be >= 0", p.strength_growth);
   core::require(p.standing_share > 0.0 && p.standing_share < 1.0, "standing_share must be in (0, 1)",
                 p.standing_share);
-  core::require(p.standing_memory > 1.0, "standing_memory must be > 1", p.standing_memory);
+  core::require(p.most_dense >= p.sonar_prior.share && p.most_dense < 1.0,
+                "most_dense must be in [sonar_prior.share, 1)", p.most_dense);
+  for (const DenseReturnsParams& learning : {p.sonar_learning, p.earth_learning}) {
+    core::require(learning.memory_scans > 1.0, "memory_scans must be > 1", learning.memory_scans);
+    core::require(learning.prior_returns > 0.0, "prior_returns must be > 0", learning.prior_returns);
+  }
   core::require(p.most_returns >= 16, "most_returns must be >= 16", p.most_returns);
 }
 
 ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& sonar)
     : params_(params),
       range_reach_(params.range_reach * sonar.range_sigma),
+      leave_out_s_(sensor_seconds(params.leave_out_time, params.leave_out_scans, sonar)),
       spacing_us_(microseconds(params.memory_time * unit_of_time(sonar) / params.memory_looks)),
-      leave_out_us_(microseconds(params.leave_out_time * unit_of_time(sonar))),
-      standing_(params.standing_share) {
+      leave_out_us_(microseconds(leave_out_s_)),
+      sonar_dense_(params.sonar_learning, params.sonar_prior.share),
+      earth_dense_(params.earth_learning, params.standing_share) {
   if (params.enabled) reserve();
 }
 
@@ -180,8 +180,7 @@ void ClutterMap::mark_looks(const ScanTable& scan) const {
   counted_.clear();
   num_counted_ = num_recent_ = 0.0;
   for (const Look& look : looks_) {
-    const bool known = looks_.back().utime - look.utime >= leave_out_us_;
-    counted_.push_back(known && std::abs(look.utime - scan.utime) > leave_out_us_ ? 1 : 0);
+    counted_.push_back(std::abs(look.utime - scan.utime) > leave_out_us_ ? 1 : 0);
     num_counted_ += counted_.back();
     num_recent_ += std::abs(look.utime - scan.utime) <= leave_out_us_ ? 1.0 : 0.0;
   }
@@ -202,19 +201,20 @@ void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& b
   background[static_cast<std::size_t>(scan.num_beams) + 1] = background[1];
 }
 
-// What moves with the sonar shows, blurred, in the earth's frame too: only what is denser there stands.
 double ClutterMap::background_at(const ScanTable& scan, const Place& place, double rate) const {
-  const double strength =
-      std::min(params_.most_strength, params_.least_strength + params_.strength_growth * standing_);
-  const double sonar = sonar_excess(scan, place, rate), earth = earth_excess(scan, place, rate);
-  const double stands = sonar > 0.0 ? std::clamp(2.0 * (earth / sonar - 1.0), 0.0, 1.0) : 1.0;
-  const double settled = std::max(sonar, earth * (1.0 + (strength - 1.0) * stands));
-  return 1.0 / (1.0 + std::max(settled, recent_excess(scan, place, rate)));
+  return 1.0 / (1.0 + std::max(sonar_or_recent(scan, place, rate).density(),
+                               earth_excess(scan, place, rate).density()));
+}
+
+// What is denser in the sonar's frame: the scans that are far from this one in time, or those near it.
+Excess ClutterMap::sonar_or_recent(const ScanTable& scan, const Place& place, double rate) const {
+  const Excess settled = sonar_excess(scan, place, rate), recent = recent_excess(scan, place, rate);
+  return settled.density() > recent.density() ? settled : recent;
 }
 
 // What lies on both sides of a place, along the beams or across them, in the scans near in time: it needs no
 // past. A moving target's trail lies on one side alone.
-double ClutterMap::recent_excess(const ScanTable& scan, const Place& place, double rate) const {
+Excess ClutterMap::recent_excess(const ScanTable& scan, const Place& place, double rate) const {
   const double y = place.range / range_reach_;
   std::array<double, 4> counts{};
   sonar_.visit(place.beam, y, kFrameBeams, kFrameReaches, [&](const BinnedPoint& p) {
@@ -230,15 +230,15 @@ double ClutterMap::recent_excess(const ScanTable& scan, const Place& place, doub
   const double cell = num_recent_ * rate / scan.num_beams * range_reach_ / scan.max_range;
   const double side = cell * (kFrameBeams - kMiddleBeams) * 2.0 * kMiddleReaches;
   const double end = cell * (kFrameReaches - kMiddleReaches) * 2.0 * kMiddleBeams;
-  const auto excess = [&](double one, double other, double expected) {
-    return excess_density(2.0 * std::min(one, other), 2.0 * expected, params_.sonar_prior);
-  };
-  return std::max(excess(counts[0], counts[1], side), excess(counts[2], counts[3], end));
+  const ExcessPrior prior = sonar_prior();
+  const Excess beside = excess(2.0 * std::min(counts[0], counts[1]), 2.0 * side, prior);
+  const Excess around = excess(2.0 * std::min(counts[2], counts[3]), 2.0 * end, prior);
+  return beside.density() > around.density() ? beside : around;
 }
 
-double ClutterMap::sonar_excess(const ScanTable& scan, const Place& place, double rate) const {
+Excess ClutterMap::sonar_excess(const ScanTable& scan, const Place& place, double rate) const {
   const double y = place.range / range_reach_, reach = params_.sonar_beams;
-  if (num_counted_ == 0.0) return 0.0;
+  if (num_counted_ == 0.0) return {};
   double count = 0.0;
   sonar_.visit(place.beam, y, reach, 1.0, [&](const BinnedPoint& p) {
     if (!counts(p.look)) return;
@@ -252,10 +252,10 @@ double ClutterMap::sonar_excess(const ScanTable& scan, const Place& place, doubl
   const double along = triangle_below(scan.max_range / range_reach_ - y) - triangle_below(-y);
   const double per_cell = rate / scan.num_beams * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
-  return excess_density(scale * count, scale * num_counted_ * across * along * per_cell, params_.sonar_prior);
+  return excess(scale * count, scale * num_counted_ * across * along * per_cell, sonar_prior());
 }
 
-double ClutterMap::earth_excess(const ScanTable& scan, const Place& place, double rate) const {
+Excess ClutterMap::earth_excess(const ScanTable& scan, const Place& place, double rate) const {
   const Eigen::Vector2d along =
       (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
   const double cross_reach =
@@ -270,14 +270,21 @@ double ClutterMap::earth_excess(const ScanTable& scan, const Place& place, doubl
     count += static_cast<double>(p.weight) * triangle((dn * along.x() + de * along.y()) / range_reach_) *
              triangle((de * along.x() - dn * along.y()) / cross_reach);
   });
-  if (count <= 0.0) return 0.0;
+  if (count <= 0.0) return {};
   const double beams = cross_reach / (scan.bearing_step * place.range);
   const double per_look = rate / scan.num_beams * beams * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
-  const ExcessPrior prior{
-      std::min(params_.most_share, params_.least_share + params_.share_growth * standing_),
-      params_.earth_shape};
-  return excess_density(scale * count, scale * views_of(scan, place) * per_look, prior);
+  return excess(scale * count, scale * views_of(scan, place) * per_look, earth_prior());
+}
+
+ExcessPrior ClutterMap::sonar_prior() const {
+  return {std::clamp(sonar_dense_.share(), params_.sonar_prior.share, params_.most_dense),
+          params_.sonar_prior.shape, std::max(params_.sonar_prior.mean, sonar_dense_.mean_rate())};
+}
+
+ExcessPrior ClutterMap::earth_prior() const {
+  return {std::min(params_.most_share, params_.least_share + params_.share_growth * earth_dense_.share()),
+          params_.earth_shape, earth_dense_.mean_rate()};
 }
 
 // The background's share of the returns in a frame around a place, in the sonar's frame or the earth's,
@@ -307,8 +314,8 @@ double ClutterMap::clear_around(const ScanTable& scan, const Place& place, doubl
   });
   const double area = 4.0 * (kFrameBeams * kFrameReaches - kMiddleBeams * kMiddleReaches);
   const double expected = num_counted_ * area * rate / scan.num_beams * range_reach_ / scan.max_range;
-  return 1.0 / (1.0 + std::max(excess_density(sonar, expected, params_.sonar_prior),
-                               excess_density(earth, expected, params_.sonar_prior)));
+  return 1.0 / (1.0 + std::max(excess(sonar, expected, params_.sonar_prior).density(),
+                               excess(earth, expected, params_.sonar_prior).density()));
 }
 
 // Mean number of looks, each weighted with the density of its background there, that had a place in view.
@@ -326,16 +333,20 @@ double ClutterMap::views_of(const ScanTable&, const Place& place) const {
   return views;
 }
 
-void ClutterMap::learn_standing(const ScanTable& newest, double rate) {
+// What moves with the sonar shows, blurred, in the earth's frame too: only what is denser there stands.
+void ClutterMap::learn(const ScanTable& newest, std::span<const double> own, double rate) {
   mark_looks(newest);
-  if (num_counted_ == 0.0 || newest.detections.empty()) return;
-  double stands = 0.0;
-  for (const core::Detection& detection : newest.detections) {
-    const Place place = place_of(newest, detection);
-    const double sonar = sonar_excess(newest, place, rate), earth = earth_excess(newest, place, rate);
-    if (earth > sonar) stands += earth / (1.0 + earth);
+  sonar_dense_.begin_scan();
+  if (num_counted_ > 0.0) earth_dense_.begin_scan();
+  for (std::size_t j = 0; j < newest.detections.size(); ++j) {
+    const Place place = place_of(newest, newest.detections[j]);
+    const Excess sonar = sonar_or_recent(newest, place, rate);
+    sonar_dense_.take(1.0 - own[j], sonar.density() > 0.0 ? sonar.probability : 0.0, sonar.rate);
+    if (num_counted_ == 0.0) continue;
+    const double stands = earth_excess(newest, place, rate).density();
+    const bool denser = stands > sonar_excess(newest, place, rate).density();
+    earth_dense_.take(1.0, denser ? stands / (1.0 + stands) : 0.0, 1.0 + stands);
   }
-  standing_ += (stands / static_cast<double>(newest.detections.size()) - standing_) / params_.standing_memory;
 }
 
 }  // namespace lookout::csht

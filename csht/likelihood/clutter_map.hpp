@@ -7,6 +7,7 @@
 
 #include "core/sonar_params.hpp"
 #include "csht/likelihood/clutter_density.hpp"
+#include "csht/likelihood/dense_returns.hpp"
 #include "csht/likelihood/point_bins.hpp"
 #include "csht/likelihood/scan_table.hpp"
 
@@ -19,21 +20,25 @@ struct ClutterMapParams {
   int memory_looks = 60;      ///< Scans that are counted, 2 to 1000.
   double memory_time = 30.0;  ///< Their least span [range sigma / max speed], > 0: scans that come faster are
                               ///< thinned out.
-  /// A scan is not judged by others so near in time [range sigma / max speed], > 0: a target is in them.
-  double leave_out_time = 4.0;
+  /// A scan is not judged by others so near in time [range sigma / max speed], > 0, nor by so few scans, >=
+  /// 0: a target is in them that no track has found yet.
+  double leave_out_time = 4.0, leave_out_scans = 8.0;
   double range_reach = 4.0 / 3.0;  ///< Half width of the kernel along the line of sight [range sigmas], > 0.
   double sonar_beams = 3.0;        ///< And across it, in the sonar's frame [beams], > 0.
   double earth_beams = 1.5;        ///< Likewise in the earth's frame, > 0.
-  ExcessPrior sonar_prior;         ///< Of places in the sonar's frame.
-  double earth_shape = 0.5;        ///< Of places in the earth's frame, as ExcessPrior::shape.
+  ExcessPrior sonar_prior{
+      .share = 0.02,
+      .shape = 2.0,
+      .mean = 1.0};         ///< Of places in the sonar's frame, before any return; its mean is learnt,
+  double most_dense = 0.25; ///< and its share, up to this, < 1: above, the background is taken for dense.
+  DenseReturnsParams sonar_learning;  ///< How.
+  double earth_shape = 0.5;           ///< Of places in the earth's frame, as ExcessPrior::shape.
   /// Their share is this, > 0, and grows by `share_growth` times the share of returns from what stands, up to
   /// `most_share`, < 1.
   double least_share = 0.02, share_growth = 1.5, most_share = 0.4;
-  /// Likewise the strength of their excess.
-  double least_strength = 1.0, strength_growth = 20.0, most_strength = 6.0;
-  double standing_share = 0.1;    ///< Share of the returns that come from what stands, before any, in (0, 1).
-  double standing_memory = 40.0;  ///< Scans over which that share is learnt, > 1.
-  int most_returns = 512;         ///< Of a scan that are counted, >= 16; of more, evenly spaced ones.
+  double standing_share = 0.1;  ///< Share of the returns that come from what stands, before any, in (0, 1).
+  DenseReturnsParams earth_learning{.memory_scans = 40.0, .prior_returns = 200.0};  ///< How it is learnt.
+  int most_returns = 512;  ///< Of a scan that are counted, >= 16; of more, evenly spaced ones.
 };
 
 /// @throws std::invalid_argument showing the value that is out of range.
@@ -59,9 +64,15 @@ class ClutterMap {
   /// ScanTable::background. @param rate mean number of uniform false returns of a scan, > 0.
   void price(const ScanTable& scan, double rate, std::vector<float>& background) const;
 
-  /// Learns from the newest scan how much of what returns stands still. @param rate as for `price`.
-  void learn_standing(const ScanTable& newest, double rate);
-  double standing_share() const { return standing_; }  ///< Probability that a return is of what stands still.
+  /// Learns from the newest scan how many of the returns stand still or come from places that return more
+  /// than the background, and how much more those return. @param own probability, for each detection, that a
+  /// target made it. @param rate as for `price`.
+  void learn(const ScanTable& newest, std::span<const double> own, double rate);
+  /// Scans nearer in time than this do not judge each other [s].
+  double leave_out_s() const { return leave_out_s_; }
+  double standing_share() const {
+    return earth_dense_.share();
+  }  ///< Probability that a return is of what stands still.
 
  private:
   struct Look {
@@ -88,15 +99,19 @@ class ClutterMap {
   bool counts(int look) const {
     return counted_[static_cast<std::size_t>(look - looks_.front().number)] != 0;
   }
-  double sonar_excess(const ScanTable& scan, const Place& place, double rate) const;
-  double earth_excess(const ScanTable& scan, const Place& place, double rate) const;
+  Excess sonar_excess(const ScanTable& scan, const Place& place, double rate) const;
+  Excess earth_excess(const ScanTable& scan, const Place& place, double rate) const;
+  Excess sonar_or_recent(const ScanTable& scan, const Place& place, double rate) const;
   double background_at(const ScanTable& scan, const Place& place, double rate) const;
-  double recent_excess(const ScanTable& scan, const Place& place, double rate) const;
+  Excess recent_excess(const ScanTable& scan, const Place& place, double rate) const;
+  ExcessPrior sonar_prior() const;
+  ExcessPrior earth_prior() const;
   double clear_around(const ScanTable& scan, const Place& place, double rate) const;
   double views_of(const ScanTable& scan, const Place& place) const;
 
   ClutterMapParams params_;
   double range_reach_;  ///< [m].
+  double leave_out_s_;
   std::int64_t spacing_us_, leave_out_us_;
   std::vector<Look> looks_;  ///< The oldest first.
   std::vector<Look> spare_;  ///< Those not in use yet, with their buffers.
@@ -105,7 +120,7 @@ class ClutterMap {
   mutable std::vector<char> counted_;  ///< Of each look, whether it judges the scan at hand,
   mutable double num_counted_ = 0.0;   ///< how many do,
   mutable double num_recent_ = 0.0;    ///< and how many are near it in time.
-  double standing_;
+  DenseReturns sonar_dense_, earth_dense_;
 };
 
 }  // namespace lookout::csht

@@ -104,22 +104,21 @@ SensorFigureEstimator::SensorFigureEstimator(const SensorFigureParams& params, c
   core::require(params.sigma_weight > 0.0, "sigma_weight must be > 0", params.sigma_weight);
   const double weight = params.prior_weight;
   miss_ = {weight * params.unknown_miss, weight};
-  false_alarm_ = {weight * params.unknown_false_alarm, weight};
+  if (!given.point_sensor()) false_alarm_ = {weight * params.unknown_false_alarm, weight};
   squares_ = params.sigma_weight * given.range_sigma * given.range_sigma;
   returns_ = params.sigma_weight;
   choose();
 }
 
 void SensorFigureEstimator::update(const ScanHistory& history, std::span<const KnownTarget> targets) {
-  const double factor = 1.0 - 1.0 / params_.memory_scans;
-  miss_.fade(factor);
-  false_alarm_.fade(factor);
-  for (double* value : {&clutter_sum_, &clutter_scans_, &squares_, &returns_}) *value *= factor;
+  miss_.fade(fading());
+  false_alarm_.fade(fading());
+  for (double* value : {&squares_, &returns_}) *value *= fading();
   utime_ = history.newest().utime;
   num_beams_ = history.newest().num_beams;
   claims_.clear(history, 1);
   for (const auto& target : targets) claims_.claim(history, target.samples, target.existence);
-  learn_clutter(history.newest());
+  learn_clutter(history);
   if (history.size() > params_.settle_scans)
     for (std::size_t k = 0; k < targets.size(); ++k)
       if (targets[k].existence >= params_.sure_existence && targets[k].held_scans >= params_.settle_scans)
@@ -128,21 +127,44 @@ void SensorFigureEstimator::update(const ScanHistory& history, std::span<const K
 }
 
 // False alarms: in beams that no target owns; of a sensor without beams, returns that none owns.
-void SensorFigureEstimator::learn_clutter(const ScanTable& newest) {
+void SensorFigureEstimator::learn_clutter(const ScanHistory& history) {
+  const ScanTable& newest = history.newest();
+  const auto capacity = static_cast<std::size_t>(history.capacity());
+  clutter_.resize(capacity);
+  const auto of_age = [&](int age) -> Clutter& {
+    return clutter_[static_cast<std::size_t>(history.pushed() - 1 - age) % capacity];
+  };
   const BeamMask* mask = claims_.at_age(0);
-  if (newest.clutter == ClutterModel::point) {
-    clutter_scans_ += 1.0;
-    for (std::size_t j = 0; j < newest.detections.size(); ++j)
-      clutter_sum_ += newest.background[j] * (mask == nullptr ? 1.0 : 1.0 - mask->share[j]);
+  Clutter& latest = of_age(0);
+  latest.free.assign(newest.background.size(), 1.0F);
+  latest.share = {};
+  if (mask != nullptr)
+    for (std::size_t k = 0; k < latest.free.size(); ++k) latest.free[k] = 1.0F - mask->share[k];
+  double faded = 1.0;
+  for (int age = 0; age < history.size(); ++age, faded *= fading()) {
+    Clutter& clutter = of_age(age);
+    const Share before = clutter.share;
+    take_clutter(history.at_age(age), clutter);
+    false_alarm_.hits += faded * (clutter.share.hits - before.hits);
+    false_alarm_.trials += faded * (clutter.share.trials - before.trials);
+  }
+}
+
+void SensorFigureEstimator::take_clutter(const ScanTable& scan, Clutter& clutter) const {
+  Share& share = clutter.share = {};
+  if (scan.clutter == ClutterModel::point) {
+    share.trials = 1.0;
+    for (std::size_t j = 0; j < scan.detections.size(); ++j)
+      share.hits += static_cast<double>(scan.background[j] * clutter.free[j]);
     return;
   }
-  for (int beam = 0; beam < newest.num_beams; ++beam) {
-    const double free = mask == nullptr ? 1.0 : 1.0 - mask->share[static_cast<std::size_t>(beam) + 1];
+  for (int beam = 0; beam < scan.num_beams; ++beam) {
+    const std::size_t slot = static_cast<std::size_t>(beam) + 1;
     // A return of what stands or is dense hides whether the background had one.
-    const double background =
-        newest.silent(beam) ? 1.0 : newest.background[static_cast<std::size_t>(beam) + 1];
-    false_alarm_.trials += free * background;
-    if (!newest.silent(beam)) false_alarm_.hits += free * background;
+    const auto background =
+        static_cast<double>(clutter.free[slot] * (scan.silent(beam) ? 1.0F : scan.background[slot]));
+    share.trials += background;
+    if (!scan.silent(beam)) share.hits += background;
   }
 }
 
@@ -216,11 +238,14 @@ core::SensorEstimate SensorFigureEstimator::estimate() const {
   estimate.utime = utime_;
   estimate.miss_probability = miss_.mean();
   estimate.miss_probability_sigma = miss_.sigma();
-  estimate.false_alarm_probability = false_alarm_.mean();
-  estimate.false_alarm_probability_sigma = false_alarm_.sigma();
-  if (given_.point_sensor() && clutter_scans_ > 0.0) {
-    estimate.false_alarm_probability = clutter_sum_ / clutter_scans_ / num_beams_;
-    estimate.false_alarm_probability_sigma = std::sqrt(clutter_sum_ + 1.0) / clutter_scans_ / num_beams_;
+  if (given_.point_sensor()) {
+    const double scans = std::max(false_alarm_.trials, 1.0);
+    estimate.false_alarm_probability =
+        false_alarm_.trials > 0.0 ? false_alarm_.mean() / num_beams_ : params_.unknown_false_alarm;
+    estimate.false_alarm_probability_sigma = std::sqrt(false_alarm_.hits + 1.0) / scans / num_beams_;
+  } else {
+    estimate.false_alarm_probability = false_alarm_.mean();
+    estimate.false_alarm_probability_sigma = false_alarm_.sigma();
   }
   estimate.range_sigma = std::sqrt(squares_ / returns_);
   estimate.range_sigma_sigma = estimate.range_sigma / std::sqrt(2.0 * returns_);

@@ -36,7 +36,8 @@ struct SensorFigureParams {
 };
 
 /// P_F, P_M and range sigma from the stream itself: silent and reporting beams that no target owns, returns
-/// and misses of sure targets, their range residuals. Figures that are given are used until the stream
+/// and misses of sure targets, their range residuals. A scan in memory whose returns are priced anew counts
+/// as it is priced now. Figures that are given are used until the stream
 /// contradicts them; then the estimate is used, and said so. Once P_F is contradicted, P_M is estimated too.
 class SensorFigureEstimator {
  public:
@@ -64,18 +65,26 @@ class SensorFigureEstimator {
     void fade(double factor);
   };
 
-  void learn_clutter(const ScanTable& newest);
+  struct Clutter {            // What a scan in memory says of the false alarms.
+    std::vector<float> free;  ///< Of each beam or detection, the probability that no target owns it.
+    Share share;
+  };
+
+  void learn_clutter(const ScanHistory& history);
+  void take_clutter(const ScanTable& scan, Clutter& clutter) const;
   void learn_target(const ScanHistory& history, std::size_t index, std::span<const KnownTarget> targets);
   void learn_return(const ScanTable& scan, std::span<const Eigen::Vector4d> samples, double seconds);
+  double fading() const { return 1.0 - 1.0 / params_.memory_scans; }  // From one scan to the next.
   void choose();
 
   SensorFigureParams params_;
   core::SonarParams given_;
   SensorFigures figures_;
   ClaimSet claims_;
-  Share miss_, false_alarm_;
-  double clutter_sum_ = 0.0, clutter_scans_ = 0.0;  ///< Returns of no target, and scans. Point sensors.
-  double squares_ = 0.0, returns_ = 0.0;            ///< Squared range residuals [m^2], and returns.
+  Share miss_;
+  Share false_alarm_;             ///< Of a beam; of a point sensor, false returns of a scan.
+  std::vector<Clutter> clutter_;  ///< Of the scans in memory, by their number modulo the history's capacity.
+  double squares_ = 0.0, returns_ = 0.0;  ///< Squared range residuals [m^2], and returns.
   std::int64_t utime_ = 0;
   int num_beams_ = 1;
   bool doubts_miss_ = false, doubts_false_ = false, doubts_sigma_ = false;

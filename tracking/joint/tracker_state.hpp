@@ -14,7 +14,9 @@ class TrackerState : public csht::JointScene {
   /// @param params validated. @param seed of all draws; those of a scan derive from (seed, sequence) alone.
   TrackerState(const JointTrackerParams& params, const core::SonarParams& sonar, std::uint64_t seed)
       : JointScene(params, sonar, {seed, core::RandomStream::tracker}),
-        settled_log_odds_(params.hypotheses.settled_log_odds) {}
+        settled_log_odds_(params.hypotheses.settled_log_odds) {
+    clutter.set_mean_life(params.life.mean_life_s);
+  }
 
   Retrodiction retrodiction;  ///< Knows the tracks that were deleted.
   DecisionLog log;            ///< Is told of decisions; may be empty.

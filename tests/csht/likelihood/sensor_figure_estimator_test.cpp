@@ -4,6 +4,7 @@
 
 #include <array>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/csht/joint/noisy_scans.hpp"
 #include "tests/csht/posed_scans.hpp"
@@ -96,6 +97,26 @@ TEST(SensorFigures, AWrongRangeSigmaIsFoundOut) {
   EXPECT_TRUE(estimator.doubts_range_sigma());
   // About 80 returns at 1.2 m and the given figure's weight of 20 at 3 m: sqrt((80 1.44 + 20 9) / 100) = 1.7.
   EXPECT_NEAR(estimator.figures().range_sigma, 1.7, 0.3);
+}
+
+// Ten scans of 45 returns each in 90 beams; then 36 of each turn out to be of a bottom.
+TEST(SensorFigures, AScanThatIsPricedAnewCountsAsItIsPricedNow) {
+  SensorFigureEstimator estimator({}, testing::sonar());
+  ScanHistory history(estimator.figures(), {}, 20);
+  std::vector<core::SonarReturn> returns;
+  for (int beam = 0; beam < 90; beam += 2) returns.push_back({core::radians(-44.5 + beam), 100.0, 1});
+  for (int k = 0; k < 10; ++k) {
+    history.push(posed_scan(returns, 500'000 * k));
+    estimator.update(history, {});
+  }
+  EXPECT_NEAR(estimator.estimate().false_alarm_probability, 0.5, 0.01);
+  std::vector<float> background(history.newest().background.size(), 1.0F);
+  for (std::size_t beam = 0; beam < 72; beam += 2) background[beam + 1] = 1e-3F;
+  for (int age = 0; age < 10; ++age) history.set_background(age, background);
+  history.push(posed_scan({}, 5'000'000));
+  estimator.update(history, {});
+  // 9 returns in the 45 silent and 9 other beams of ten scans, 90 silent beams in one.
+  EXPECT_NEAR(estimator.estimate().false_alarm_probability, 90.0 / (540.0 + 90.0), 0.01);
 }
 
 TEST(SensorFigures, CountsTheReturnsOfAPointSensor) {
