@@ -27,13 +27,13 @@ core::Recording small_recording() {
   core::Recording recording;
   recording.params = core::SonarParams{};
   recording.has_images = true;
-  for (int k = 0; k < 3; ++k) {
+  for (std::int64_t k = 0; k < 3; ++k) {
     core::SonarScan scan;
     scan.utime = 500'000 * k;
     scan.sequence = k;
-    scan.returns = {{0.1 * k, 10.0 + k, 1.0}, {-0.2, 1.0 / 3.0, 2.0}};
+    scan.returns = {{0.1 * static_cast<double>(k), 10.0, 1.0}, {-0.2, 1.0 / 3.0, 2.0}};
     recording.scans.push_back(scan);
-    recording.vehicle.push_back({500'000 * k, {1.0 * k, 2.0, 0.5}, {0, 0}});
+    recording.vehicle.push_back({500'000 * k, {static_cast<double>(k), 2.0, 0.5}, {0, 0}});
     recording.truth.push_back({500'000 * k, {{4, {1, 2}, {3, 4}, k == 2}}});
   }
   return recording;
@@ -41,7 +41,7 @@ core::Recording small_recording() {
 
 /// Every file whole.
 std::string whole_recording() {
-  const std::string folder = scratch().file("recording");
+  std::string folder = scratch().file("recording");
   core::ImageWriter images(folder);
   images.add(small_image());
   images.close();
