@@ -20,7 +20,8 @@ configure_file(${CMAKE_CURRENT_LIST_DIR}/packaging/lookout-track.service.in
   ${PROJECT_BINARY_DIR}/packaging/lookout-track@.service @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/packaging/lookout-track.service
   ${PROJECT_BINARY_DIR}/packaging/lookout-track@.service DESTINATION lib/systemd/system COMPONENT vehicle)
-install(FILES ${CMAKE_CURRENT_LIST_DIR}/packaging/lookout.default ${PROJECT_SOURCE_DIR}/README.md
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/packaging/lookout.default ${CMAKE_CURRENT_LIST_DIR}/packaging/lookout.nft
+  ${PROJECT_SOURCE_DIR}/README.md
   DESTINATION ${documents} COMPONENT vehicle)
 
 # Debian's form of the licence: each line indented, empty ones as a dot.
@@ -51,5 +52,10 @@ set(CPACK_COMPONENT_VEHICLE_DESCRIPTION
 every scan, how many targets move around the vehicle, where, and how fast.
 This package holds the on-vehicle program and its systemd unit.")
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+if(CMAKE_CROSSCOMPILING)  # Debian's tool looks among the packages of this machine; tools/package says what it found there.
+  set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE arm64)
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "${LOOKOUT_PACKAGE_DEPENDS}")
+else()
+  set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+endif()
 include(CPack)

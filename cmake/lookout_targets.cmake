@@ -2,6 +2,17 @@
 add_library(lookout_warnings INTERFACE)
 target_compile_features(lookout_warnings INTERFACE cxx_std_20)
 target_compile_options(lookout_warnings INTERFACE -Wall -Wextra -Wconversion -Wpedantic)
+# No product and sum in one rounding on a processor that can (arm64, amd64 with -march=native): it then computes what one
+# that cannot does (amd64 as Debian builds for it), and a replay ashore is what the vehicle did.
+include(CheckCXXSourceCompiles)
+check_cxx_source_compiles("
+#if !defined(__FMA__) && !defined(__FMA4__) && !defined(__ARM_FEATURE_FMA)
+#error
+#endif
+int main() {}" LOOKOUT_FUSES_PRODUCT_AND_SUM)
+if(LOOKOUT_FUSES_PRODUCT_AND_SUM)
+  target_compile_options(lookout_warnings INTERFACE -ffp-contract=off)
+endif()
 if(LOOKOUT_WERROR)
   target_compile_options(lookout_warnings INTERFACE -Werror)
 endif()
@@ -10,6 +21,13 @@ if(LOOKOUT_SANITIZE)
   target_compile_options(lookout_warnings INTERFACE -fsanitize=${LOOKOUT_SANITIZE} -fno-sanitize=vptr
                          -fno-omit-frame-pointer -fno-sanitize-recover=undefined)
   target_link_options(lookout_warnings INTERFACE -fsanitize=${LOOKOUT_SANITIZE})
+endif()
+if(LOOKOUT_FUZZERS)
+  if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+    message(FATAL_ERROR "LOOKOUT_FUZZERS: libFuzzer comes with clang, expected CMAKE_CXX_COMPILER clang++ (preset fuzz)")
+  endif()
+  # clang's check of function types sees types of other libraries twice, and cries.
+  target_compile_options(lookout_warnings INTERFACE -fsanitize=fuzzer-no-link -fno-sanitize=function)
 endif()
 if(LOOKOUT_COVERAGE)
   target_compile_options(lookout_warnings INTERFACE --coverage)

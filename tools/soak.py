@@ -1,15 +1,20 @@
 #!/usr/bin/python3
-"""An hour of a vehicle's life through the real chain, to see that memory and latency stay flat.
+"""Hours of a vehicle's life through the real chain, to see that memory and latency stay flat and no count goes back.
 
-usage: tools/soak.py [--program build/lookout] [--scenario tools/scenarios/soak.yaml] [--out soak.csv] [-- TRACK_OPTIONS]
+usage: tools/soak.py [--hours 1] [--minutes 600] [--program build/lookout] [--scenario tools/scenarios/soak.yaml] [--out soak.csv]
+       [-- TRACK_OPTIONS]
 
 Runs `lookout sim --speed max` and `lookout track` over UDP multicast in a network namespace of their own, samples the
-tracker's memory and reads its LOOKOUT_STATUS once a second, and prints a table of quarter hours of scenario time.
+tracker's memory and reads its LOOKOUT_STATUS once a second, and prints a table of quarter hours of scenario time (of
+hours, for more than two). Every further hour has the targets of the scene's first anew. Where
+the machine needs more than --minutes it ends there and says how far it came. Exits with 1 where a count went
+back, scans were not accepted, or memory grew from the second hour to the last by more than a tenth.
 """
 import argparse
 import csv
 import os
 import pathlib
+import re
 import signal
 import struct
 import subprocess
@@ -20,8 +25,11 @@ import time
 URL = "udpm://239.255.76.67:7667?ttl=0"
 LOG_EVENT = struct.Struct(">IqqII")  # mark, number, time, lengths of channel and data
 LOG_MARK = 0xEDA1DA01
-STATUS = struct.Struct(">qqiqqqdd")  # fingerprint, utime, node_id, accepted, rejected, dropped, latencies
-QUARTER = 900.0  # s
+STATUS = struct.Struct(">qqi5q2d")  # fingerprint, utime, node_id, accepted to send_errors, latencies p50, p99
+MINUTE, QUARTER, HOUR = 60.0, 900.0, 3600.0  # s
+PERIOD = 0.5  # s between scans
+MOST_GROWTH = 0.1  # of resident memory, from the second hour's end to the last's
+MOVING = re.compile(r"  - \{.*\}")
 
 
 def enter_namespace():
@@ -31,6 +39,29 @@ def enter_namespace():
     environment = dict(os.environ, LOOKOUT_SOAK="inside")
     setup = 'ip link set lo up && ip route add 224.0.0.0/4 dev lo && exec "$0" "$@"'
     os.execvpe("unshare", ["unshare", "-rn", "sh", "-c", setup, *sys.argv], environment)
+
+
+def number(line, key, otherwise=None):
+    found = re.search(rf"\b{key}: (-?[\d.]+)", line)
+    return float(found.group(1)) if found else otherwise
+
+
+def an_hour_later(line, hour):
+    """A target that comes and goes, `hour` hours later: its position is that of time 0, from where it goes straight."""
+    for place in ("north", "east"):
+        begin = number(line, place) - number(line, f"{place}_velocity") * HOUR * hour
+        line = re.sub(rf"\b{place}: -?[\d.]+", f"{place}: {begin:.1f}", line)
+    for time_key in ("appear", "disappear"):
+        line = re.sub(rf"\b{time_key}: [\d.]+", f"{time_key}: {number(line, time_key) + HOUR * hour:.1f}", line)
+    return re.sub(r"\bid: (\d+)", lambda found: f"id: {int(found.group(1)) + 1000 * hour}", line)
+
+
+def lengthened(scenario, hours):
+    """The scene over so many hours, as text."""
+    text = pathlib.Path(scenario).read_text()
+    passing = [line for line in text.splitlines() if MOVING.match(line) and number(line, "disappear") is not None]
+    further = [an_hour_later(line, hour) for hour in range(1, hours) for line in passing]
+    return re.sub(r"duration: [\d.]+", f"duration: {HOUR * hours}", text) + "".join(line + "\n" for line in further)
 
 
 def resident_kb(pid):
@@ -49,24 +80,27 @@ def statuses(log):
             raise RuntimeError(f"{log}: not an LCM log at byte {at}")
         begin = at + LOG_EVENT.size + channel_size
         if data[at + LOG_EVENT.size : begin] == b"LOOKOUT_STATUS" and begin + STATUS.size <= len(data):
-            _, utime, node, accepted, _, _, p50, p99 = STATUS.unpack_from(data, begin)
+            _, utime, node, *counts, p50, p99 = STATUS.unpack_from(data, begin)
             if node > 0:
-                yield wall * 1e-6, utime * 1e-6, accepted, p50, p99
+                yield wall * 1e-6, utime * 1e-6, counts, p50, p99
         at = begin + size
 
 
 def run(arguments, folder):
     """Runs the three processes; returns (wall time, resident kB) samples and what the tracker said at its end."""
-    log = folder / "log"
+    log, scene = folder / "log", folder / "scene.yaml"
+    scene.write_text(lengthened(arguments.scenario, arguments.hours))
     logger = subprocess.Popen(["lcm-logger", "--quiet", f"--lcm-url={URL}", "--channel=LOOKOUT_STATUS", str(log)])
     tracker = subprocess.Popen(
         [arguments.program, "track", "--lcm-url", URL, *arguments.track_options], stderr=subprocess.PIPE, text=True
     )
     simulator = subprocess.Popen(
-        [arguments.program, "sim", arguments.scenario, "--speed", "max", "--wait-for", "1", "--lcm-url", URL]
+        [arguments.program, "sim", scene, "--speed", "max", "--wait-for", "1", "--lcm-url", URL]
     )
-    samples = []
+    samples, end = [], time.monotonic() + MINUTE * arguments.minutes
     while simulator.poll() is None:
+        if time.monotonic() > end:
+            simulator.terminate()
         samples.append((time.time(), resident_kb(tracker.pid)))
         time.sleep(1.0)
     time.sleep(1.5)
@@ -77,9 +111,37 @@ def run(arguments, folder):
     return samples, said, list(statuses(log))
 
 
+def table(rows, hours):
+    """Prints a row a quarter hour, or an hour of many; returns them as lists of samples."""
+    step, name = (QUARTER, "quarter hour") if hours <= 2 else (HOUR, "hour")
+    print(f"{name:12s}   scans   resident kB (first to last)   latency p50 ms   p99 ms (of the newest 1000 scans)")
+    parts = [[row for row in rows if int(row[0] // step) == part] for part in sorted({int(row[0] // step) for row in rows})]
+    for part in parts:
+        first, last = part[0], part[-1]
+        print(f"{int(last[0] // step) + 1:12d} {last[1][0]:7d} {first[2]:17d} to {last[2]:7d} {last[3]:20.3f} {last[4]:8.3f}")
+    return parts
+
+
+def complaints(rows, parts):
+    """What is wrong with a run, a line each."""
+    done = int(rows[-1][0] / PERIOD)
+    for before, after in zip(rows, rows[1:]):
+        if any(new < old for old, new in zip(before[1], after[1])):
+            yield f"a count went back from {before[1]} to {after[1]} at {after[0]:.0f} s"
+    accepted, *others = rows[-1][1]
+    if any(others):
+        yield f"rejected, dropped, shed, not sent: {others}, expected none"
+    if accepted < done:
+        yield f"{accepted} scans accepted, expected {done}"
+    if len(parts) > 2 and parts[-1][-1][2] > (1.0 + MOST_GROWTH) * parts[1][-1][2]:
+        yield f"memory grew from {parts[1][-1][2]} to {parts[-1][-1][2]} kB"
+
+
 def main():
     enter_namespace()
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--hours", type=int, default=1)
+    parser.add_argument("--minutes", type=float, default=600.0)
     parser.add_argument("--program", default="build/lookout")
     parser.add_argument("--scenario", default="tools/scenarios/soak.yaml")
     parser.add_argument("--out", default="soak.csv")
@@ -88,18 +150,18 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         samples, said, heard = run(arguments, pathlib.Path(folder))
     rows = []
-    for wall, scenario, accepted, p50, p99 in heard:
+    for wall, scenario, counts, p50, p99 in heard:
         nearest = min(samples, key=lambda sample: abs(sample[0] - wall))
-        rows.append((scenario, accepted, nearest[1], p50, p99))
+        rows.append((scenario, counts, nearest[1], p50, p99))
     with open(arguments.out, "w", newline="") as file:
         writer = csv.writer(file)
         writer.writerow(["time_s", "scans", "resident_kb", "latency_ms_p50", "latency_ms_p99"])
-        writer.writerows(rows)
+        writer.writerows([time_s, counts[0], *others] for time_s, counts, *others in rows)
     print(said)
-    print("quarter hour   scans   resident kB (first to last)   latency p50 ms   p99 ms (of the newest 1000 scans)")
-    for quarter in sorted({int(row[0] // QUARTER) for row in rows}):
-        part = [row for row in rows if int(row[0] // QUARTER) == quarter]
-        print(f"{quarter + 1:12d} {part[-1][1]:7d} {part[0][2]:17d} to {part[-1][2]:7d} {part[-1][3]:20.3f} {part[-1][4]:8.3f}")
+    wrong = list(complaints(rows, table(rows, arguments.hours)))
+    print(f"soak: {rows[-1][0] / HOUR:.2f} of {arguments.hours} hours done")
+    print("\n".join(wrong) or "soak: flat, every scan accepted")
+    sys.exit(1 if wrong else 0)
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 #include "core/files/yaml_reader.hpp"
 
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
@@ -36,6 +37,13 @@ std::string joined(const std::vector<std::string>& words) {
   std::string line;
   for (const auto& word : words) line += (line.empty() ? "" : " ") + word;
   return line;
+}
+
+/// What yaml-cpp says, which may hold the letter that it stumbled over: a line's end, any byte.
+std::string one_line(std::string text) {
+  for (char& letter : text)
+    if (letter < ' ' || letter > '~') letter = '?';
+  return text;
 }
 
 constexpr const char* kMergeKey = "<<";
@@ -97,8 +105,41 @@ class Resolver {
   std::vector<YAML::Node> sources_;
 };
 
+/// Sees documents begin. yaml-cpp 0.7 does not get over some signs at the begin of one (`, a`): it gives
+/// documents of nothing there, without an end.
+class StandstillGuard : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (mark.pos == begin_) throw YAML::ParserException(mark, "a sign that cannot stand here");
+    begin_ = mark.pos;
+  }
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnAlias(const YAML::Mark&, YAML::anchor_t) override {}
+  void OnScalar(const YAML::Mark&, const std::string&, YAML::anchor_t, const std::string&) override {}
+  void OnSequenceStart(const YAML::Mark&, const std::string&, YAML::anchor_t,
+                       YAML::EmitterStyle::value) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark&, const std::string&, YAML::anchor_t, YAML::EmitterStyle::value) override {
+  }
+  void OnMapEnd() override {}
+
+ private:
+  int begin_ = -1;  ///< Of the document before, a place in the text.
+};
+
+/// @throws YAML::ParserException where reading the documents would have no end.
+void require_an_end(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  StandstillGuard guard;
+  while (parser.HandleNextDocument(guard)) {
+  }
+}
+
 /// The only document of `text`.
 YAML::Node only_document(const std::string& text, const std::string& name) {
+  require_an_end(text);
   const std::vector<YAML::Node> documents = YAML::LoadAll(text);
   for (std::size_t i = 1; i < documents.size(); ++i) {
     if (!documents[i].IsNull())
@@ -155,7 +196,7 @@ YamlMap YamlMap::load_text(const std::string& text, const std::string& name) {
     impl->node.reset(node);
     impl->merge_sources = resolver.sources();
   } catch (const YAML::Exception& error) {
-    throw InputError(where(name, error.mark) + ": not valid YAML: " + error.msg);
+    throw InputError(where(name, error.mark) + ": not valid YAML: " + one_line(error.msg));
   }
   return YamlMap(std::move(impl));
 }

@@ -21,7 +21,7 @@ if dpkg-deb -c "$package" | grep -E '\.(hpp|a|jar|cmake)$'; then fail "developme
 
 dpkg-deb -x "$package" "$folder/root"
 "$folder/root/usr/bin/lookout" track --help | grep -q 'lookout track' || fail "the program does not run"
-for file in bin/lookout lib/systemd/system/lookout-track.service lib/systemd/system/lookout-track@.service share/doc/lookout/copyright; do
+for file in bin/lookout lib/systemd/system/lookout-track.service lib/systemd/system/lookout-track@.service share/doc/lookout/copyright share/doc/lookout/lookout.nft; do
   [ -s "$folder/root/usr/$file" ] || fail "no $file"
 done
 if command -v systemd-analyze > /dev/null; then
@@ -31,7 +31,9 @@ if command -v systemd-analyze > /dev/null; then
     sed "s|/usr/bin/lookout|$folder/root/usr/bin/lookout|" "$folder/root/usr/lib/systemd/system/$name.service" > "$unit"
     systemd-analyze verify --man=no "$unit" > "$folder/said" 2>&1 || { cat "$folder/said"; fail "systemd refuses $name"; }
     [ ! -s "$folder/said" ] || { cat "$folder/said"; fail "systemd has something to say about $name"; }
-    systemd-analyze security --offline=true "$unit" 2> /dev/null | tail -n 1
+    systemd-analyze security --offline=true --threshold=15 "$unit" > "$folder/score" 2> /dev/null ||
+      { cat "$folder/score"; fail "$name is exposed by more than 1.5"; }
+    tail -n 1 "$folder/score"
   done
 else
   echo "systemd-analyze is not installed: the unit is not checked"

@@ -36,6 +36,23 @@ TEST(StatusBoard, CarriesEveryFigure) {
   EXPECT_EQ(status->latency_ms_max, 5.0);
 }
 
+// Ten scans a second count past 32 bits after 13.6 years, the datagrams of a flood within a day.
+TEST(StatusBoard, CarriesCountsBeyond32Bits) {
+  constexpr std::int64_t kMany = std::int64_t{1} << 40;
+  Bus bus("memq://");
+  std::optional<node_status_t> status;
+  bus.subscribe_bytes("LOOKOUT_STATUS",
+                      [&](auto bytes) { status = decode<node_status_t>(bytes.data(), bytes.size()); });
+  StatusBoard(bus, "LOOKOUT_STATUS", "lookout track", 7)
+      .publish({.accepted = kMany, .rejected = kMany + 1, .dropped = kMany + 2, .shed = kMany + 3}, "");
+  bus.drain();
+  ASSERT_TRUE(status);
+  EXPECT_EQ(status->accepted, kMany);
+  EXPECT_EQ(status->rejected, kMany + 1);
+  EXPECT_EQ(status->dropped, kMany + 2);
+  EXPECT_EQ(status->shed, kMany + 3);
+}
+
 TEST(StatusBoard, ReadsBytesSixteenToNineteenAloneAndNothingFromLess) {
   std::array<std::uint8_t, 20> bytes{};
   bytes[18] = 1;

@@ -42,7 +42,7 @@ ChainNode<Chain>::ChainNode(lcmtypes::Bus& bus, const TrackerNodeParams& params,
       params_(params),
       max_waiting_(max_waiting(bus, params)),
       node_(bus, params, std::move(report)),
-      chain_(make_chain([this](const PingResult& result) { node_.publish(result); },
+      chain_(make_chain([this](const PingResult& result) { publish(result); },
                         [this](const std::string& line) { node_.note(line); })) {
   load_state();
   listen();
@@ -115,6 +115,18 @@ void ChainNode<Chain>::run(const lcmtypes::LoopLimits& limits) {
   save_state();
 }
 
+/// An identity is kept before it is told: after a restart its track would else have another one.
+template <class Chain>
+void ChainNode<Chain>::publish(const PingResult& result) {
+  const auto is_new = [this](const core::Track& track) {
+    return track.status != core::TrackStatus::tentative &&
+           std::find(kept_.begin(), kept_.end(), track.id) == kept_.end();
+  };
+  if (!params_.state_file.empty() && std::any_of(result.tracks.begin(), result.tracks.end(), is_new))
+    save_state();
+  node_.publish(result);
+}
+
 template <class Chain>
 void ChainNode<Chain>::every_second(const lcmtypes::LoopLimits& limits) {
   publish_status();
@@ -167,8 +179,11 @@ template <class Chain>
 void ChainNode<Chain>::save_state() {
   if constexpr (requires { chain_->memory(); }) {
     if (params_.state_file.empty() || chain_->counts().accepted == 0) return;
+    const core::TrackingMemory memory = chain_->memory();
+    kept_.clear();
+    for (const auto& track : memory.tracks) kept_.push_back(track.id);
     try {
-      lcmtypes::save_state(params_.state_file, chain_->memory());
+      lcmtypes::save_state(params_.state_file, memory);
     } catch (const std::exception& error) {
       node_.note(error.what());
     }

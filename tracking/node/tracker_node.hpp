@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "core/pose_history.hpp"
 #include "tracking/detection_chain.hpp"
@@ -57,6 +58,7 @@ class ChainNode {
   void shed_oldest();
   bool work();
   void handle(Arrived arrived);
+  void publish(const PingResult& result);
   void every_second(const lcmtypes::LoopLimits& limits);
   void publish_status();
   void load_state();
@@ -69,7 +71,8 @@ class ChainNode {
   std::unique_ptr<Chain> chain_;
   std::deque<Arrived> queue_;
   std::size_t pings_waiting_ = 0;
-  int seconds_ = 0;  // Of status, since the state was kept.
+  int seconds_ = 0;                 // Of status, since the state was kept.
+  std::vector<std::int64_t> kept_;  // Identities in the state as it was last kept.
 };
 
 extern template class ChainNode<TrackingChain>;

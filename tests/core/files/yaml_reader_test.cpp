@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/support/reading.hpp"
 
 namespace lookout::core {
@@ -33,6 +35,26 @@ TEST(YamlReader, UnknownKeyNamesLineColumnAndAcceptedKeys) {
   const auto map = YamlMap::load_text("range: 5\nragne: 6\n", "t.yaml");
   map.number("range", 0.0);
   EXPECT_EQ(error_of([&] { map.finish(); }), "t.yaml:2:1: unknown key `ragne`, accepted: range");
+}
+
+// yaml-cpp names the letter that it does not know as an escape, whatever it is. Found by the fuzz target
+// scene.
+TEST(YamlReader, ADamagedEscapeIsRefusedInOneLineOfText) {
+  for (const char letter : {'\1', '\v', '\x7f', '\xff', 'q'}) {
+    const std::string error = error_of(
+        [&] { YamlMap::load_text(std::string("a: \"\\").append(1, letter).append("\"\n"), "t.yaml"); });
+    EXPECT_EQ(error.substr(0, 11), "t.yaml:1:7:");
+    EXPECT_TRUE(std::all_of(error.begin(), error.end(), [](char c) { return c >= ' ' && c <= '~'; }))
+        << error;
+  }
+}
+
+// On these yaml-cpp 0.7 makes documents of nothing until memory ends. Found by the fuzz target scene.
+TEST(YamlReader, ASignAtTheBeginThatCannotStandThereIsRefused) {
+  for (const char* text : {", a: 1\n", "] a\n", "}", "a: 1\n---\n, b: 2\n"})
+    EXPECT_NE(error_of([&] { YamlMap::load_text(text, "t.yaml"); }).find("t.yaml:"), std::string::npos)
+        << text;
+  EXPECT_NO_THROW(YamlMap::load_text("---\n---\n---\n", "t.yaml"));
 }
 
 TEST(YamlReader, ValueOfAnotherKindIsRefused) {

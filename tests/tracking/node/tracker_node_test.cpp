@@ -5,6 +5,7 @@
 #include <lookout/node_status_t.hpp>
 
 #include "core/input_error.hpp"
+#include "lcmtypes/state_file.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 namespace lookout::tracking {
@@ -228,6 +229,20 @@ TEST_F(SmallTrackerNodeTest, KeepsItsStateAndGoesOnByIt) {
   TrackerNode(again, params, &stub_chain, [this](const std::string& line) { said_.push_back(line); });
   ASSERT_FALSE(said_.empty());
   EXPECT_NE(said_.back().find("3 scans tracked again"), std::string::npos) << said_.back();
+}
+
+// Whoever hears of a track and then ends the process finds it in the state, though the state is two seconds
+// old otherwise.
+TEST_F(SmallTrackerNodeTest, KeepsAnIdentityBeforeItIsTold) {
+  std::vector<std::int64_t> kept;
+  bus_.subscribe<track_list_t>("TRACKS", [&](const lcmtypes::KeyedTracks&) {
+    const auto state = lcmtypes::load_state(directory_.file("state"));
+    if (state.memory && !state.memory->tracks.empty()) kept.push_back(state.memory->tracks[0].id);
+  });
+  const auto tracker = node();
+  scans(0, 1);
+  tracker->run({.idle_exit = 0.05});
+  EXPECT_EQ(kept, std::vector<std::int64_t>{11});
 }
 
 TEST_F(SmallTrackerNodeTest, ADamagedStateIsAWordAndACleanStart) {

@@ -221,6 +221,14 @@ double recovery_time(const FaultedRun& run, const std::vector<double>& ospa, con
   return std::numeric_limits<double>::quiet_NaN();
 }
 
+/// A tracker that is switched on at `end` [s]: before that nothing reaches it.
+FaultedRun switched_on_at(double end, const sonar_sim::Scene& scene, std::uint64_t seed, int run) {
+  Fault silence;
+  silence.streams = {Stream::scan};
+  silence.to = end;
+  return run_through({{silence}}, scene, seed, run);
+}
+
 void add_quality(const FaultedRun& run, Metrics& metrics) {
   tracking::TrackQuality quality;
   for (std::size_t k = 0; k < run.truth.size(); ++k) quality.add(run.truth[k], run.tracks[k]);
@@ -264,7 +272,11 @@ class Faults : public Experiment {
     const FaultedRun clean = run_through({}, scene, seed, run);
     if (name == "none") return figures(name, {}, clean, clean);
     const FaultPlan plan = shipped_plan(name);
-    return figures(name, plan, run_through(plan, scene, seed, run), clean);
+    Metrics metrics = figures(name, plan, run_through(plan, scene, seed, run), clean);
+    const double end = span_of(plan).second;
+    const FaultedRun fresh = switched_on_at(end, scene, seed, run);
+    metrics["fresh_s"] = recovery_time(fresh, ospa_of(fresh), ospa_of(clean), end);
+    return metrics;
   }
 
  private:
