@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "csht/joint/evidence/memory_span.hpp"
+#include "csht/likelihood/clutter_grid.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -35,6 +36,11 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   background_[0].resize(newest.background.size());
   map_.price(newest, background_rate(likelihood), background_[0]);
   likelihood.set_background(0, background_[0]);
+}
+
+std::optional<core::ClutterGrid> ClutterLearning::grid(const ScanLikelihood& likelihood) const {
+  if (!params_.map.enabled || likelihood.scans().size() == 0) return std::nullopt;
+  return clutter_grid(map_, likelihood.scans().newest(), background_rate(likelihood));
 }
 
 void ClutterLearning::reserve(const ScanTable& scan, int scans) {
