@@ -3,7 +3,8 @@
 
 const STATUS_COLOURS = {confirmed: "#58d68d", tentative: "#f7dc6f", coasting: "#85c1e9"};
 const FADE_S = 8;         // Returns older than that are gone [s of data time].
-const MAX_SCANS = 160;    // Of them kept, whatever their rate.
+const MAX_SCANS = 160;    // Of them kept, whatever their rate,
+const MAX_RETURNS = 20000;   // and whatever they hold: as many as a phone draws 20 times a second.
 const CLUTTER_BEAMS = 45, CLUTTER_BINS = 40;
 const CLUTTER_MEMORY_S = 60;
 const LEARNT_VALID_S = 60;        // A clutter map of the tracker that is older says nothing [s of data time].
@@ -42,7 +43,10 @@ class SonarMap {
       points.push(pose.north + range * Math.cos(angle), pose.east + range * Math.sin(angle));
     }
     this.scans.push({utime: scan.utime, points});
-    while (this.scans.length > MAX_SCANS || scan.utime - this.scans[0].utime > FADE_S * 1e6) this.scans.shift();
+    let returns = this.scans.reduce((sum, one) => sum + one.points.length / 2, 0);
+    while (this.scans.length > MAX_SCANS || scan.utime - this.scans[0].utime > FADE_S * 1e6
+           || (returns > MAX_RETURNS && this.scans.length > 1))
+      returns -= this.scans.shift().points.length / 2;
     this.learnClutter(scan);
     if (!this.framed) this.frame();
   }
