@@ -1,14 +1,18 @@
 #include "fusion/fusion.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace lookout::fusion {
 namespace {
 
-/// The printed rule lets every tracklet vote at once.
+/// The printed rule lets every tracklet vote at once, and every node begin tracks.
 GlobalTracksParams global_params(const FusionParams& params) {
   GlobalTracksParams global = params.global;
-  if (params.association.rule == AssociationRule::max) global.probation = 1;
+  if (params.association.rule != AssociationRule::max) return global;
+  global.probation = 1;
+  global.credit.least = 0.0;
+  global.credit.max_unproved = std::numeric_limits<int>::max();
   return global;
 }
 
@@ -42,6 +46,7 @@ Intake Fusion::place(LocalEstimate estimate) {
   if (!is_plausible(estimate, params_.limits)) return Intake::implausible;
   if (method_->needs_covariance() && !estimate.covariance) return Intake::no_covariance;
   const FusionClock::Reading reading = clock_.read(estimate.node_id, estimate.utime);
+  if (reading.is_full) return Intake::too_many;
   if (!reading.utime) return Intake::clock;
   if (reading.restarted) restart();
   estimate.utime = *reading.utime;

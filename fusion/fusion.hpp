@@ -30,6 +30,9 @@ class Fusion {
   std::int64_t count(Intake outcome) const { return counts_[static_cast<std::size_t>(outcome)]; }
   /// Of the accepted messages, those that came too late to have a vote (`max_age`).
   std::int64_t late() const { return late_; }
+  const FusionParams& params() const { return params_; }  ///< As given; valid as long as the fusion.
+  /// What is known of the global tracks and of who speaks for them; valid as long as the fusion.
+  const GlobalTracks& global_tracks() const { return global_tracks_; }
   std::int64_t restarts() const { return restarts_; }  ///< How often the common clock began anew.
   /// The global track that a local one supports, by the newest association; -1: none.
   std::int64_t global_of(std::int32_t node_id, std::int64_t track_id) const;

@@ -30,6 +30,7 @@ FusionClock::FusionClock(const FusionClockParams& params) : params_(params) {
   core::require(params.max_delay >= params.tolerance, "max_delay must be >= clock_tolerance",
                 params.max_delay);
   core::require_positive("max_interval", params.max_interval);
+  core::require(params.max_nodes >= 1, "max_nodes must be >= 1", static_cast<double>(params.max_nodes));
   core::require(params.consistent >= 1, "consistent must be >= 1", params.consistent);
 }
 
@@ -44,6 +45,7 @@ double FusionClock::delay(std::int32_t node_id) const {
 }
 
 FusionClock::Reading FusionClock::read(std::int32_t node_id, std::int64_t utime) {
+  if (!has_room_for(node_id)) return {std::nullopt, false, true};
   Node& node = nodes_[node_id];
   if (!now_) now_ = utime;
   if (fits(node, utime)) return accept(node, node_id, utime + node.offset);
@@ -51,6 +53,18 @@ FusionClock::Reading FusionClock::read(std::int32_t node_id, std::int64_t utime)
   if (another_agrees(node_id, node, utime)) return pass_time(node, node_id, utime + node.offset);
   if (node.outliers < params_.consistent) return {};
   return settle(node, node_id, utime);
+}
+
+/// For a new node one is forgotten that never kept time, or that has been silent for long.
+bool FusionClock::has_room_for(std::int32_t node_id) {
+  if (nodes_.size() < params_.max_nodes || nodes_.contains(node_id)) return true;
+  const auto oldest = std::min_element(nodes_.begin(), nodes_.end(), [](const auto& a, const auto& b) {
+    return a.second.newest < b.second.newest;  // None comes first.
+  });
+  const auto& newest = oldest->second.newest;
+  if (newest && apart(*now_, *newest) <= params_.max_interval) return false;
+  nodes_.erase(oldest);
+  return true;
 }
 
 /// Not behind its own newest by more than clocks differ, not older than links delay, not farther ahead than

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -15,6 +16,7 @@ struct FusionClockParams {
                             ///< older one tells of another clock. Own choice.
   double max_interval = 60.0;  ///< Of rates: a node may be silent for so long between two messages [s], > 0:
                                ///< the slowest turn of an acoustic link.
+  std::size_t max_nodes = 64;  ///< Nodes that are known at one time, >= 1: bounds the memory. Own choice.
   int consistent = 3;          ///< Messages in a row that establish another clock, >= 1. Own choice.
 };
 
@@ -31,6 +33,7 @@ class FusionClock {
   struct Reading {
     std::optional<std::int64_t> utime;  ///< On the common clock [us]; nothing: refused.
     bool restarted = false;             ///< The common clock begins anew with this message.
+    bool is_full = false;               ///< Refused: as many nodes are known as may be.
   };
 
   /// Places a message of `node_id`, stamped `utime` [us] by its clock, on the common clock.
@@ -63,6 +66,7 @@ class FusionClock {
     bool alone = true;                   ///< Whether nobody else has been heard since the first of them.
   };
 
+  bool has_room_for(std::int32_t node_id);
   bool fits(const Node& node, std::int64_t utime) const;
   void note_outlier(Node& node, std::int64_t utime);
   bool another_agrees(std::int32_t node_id, const Node& node, std::int64_t utime) const;

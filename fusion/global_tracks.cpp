@@ -13,7 +13,8 @@ constexpr double kLeastCoast = 1e-6;  // [s]; a coast of 0 ends a track at once.
 
 }  // namespace
 
-GlobalTracks::GlobalTracks(const GlobalTracksParams& params) : params_(params), pairings_(params.probation) {
+GlobalTracks::GlobalTracks(const GlobalTracksParams& params)
+    : params_(params), pairings_(params.probation), credit_(params.credit, params.local_trust) {
   core::require(params.birth_estimates >= 1, "birth_estimates must be >= 1", params.birth_estimates);
   core::require(params.coast >= 0.0, "coast must be >= 0", params.coast);
   core::require(params.local_trust > 0.0 && params.local_trust < 1.0, "local_trust must be in (0, 1)",
@@ -32,6 +33,8 @@ void GlobalTracks::clear() {
   supported_utime_.clear();
   voices_.clear();
   listeners_.clear();
+  founders_.clear();
+  credit_.forget_unproved();
   alike_.clear();
   merged_.clear();
   pairings_.clear();
@@ -71,6 +74,8 @@ void GlobalTracks::start(const Contribution& contribution) {
   supported_utime_.push_back(utime_);
   voices_.emplace_back();
   listeners_.emplace_back();
+  founders_.push_back({contribution.track->newest().node_id, false});
+  credit_.note_begun(founders_.back().node_id);
   support(contribution, tracks_.size() - 1);
 }
 
@@ -147,11 +152,15 @@ void GlobalTracks::forget_locals(const LocalTrackStore::Tracks& known) {
 
 void GlobalTracks::add_support(std::span<const Contribution> contributions, std::span<const int> indices) {
   for (std::size_t i = 0; i < contributions.size(); ++i) {
-    if (indices[i] >= 0) {
+    const LocalTrack& local = *contributions[i].track;
+    if (indices[i] >= 0)
       support(contributions[i], static_cast<std::size_t>(indices[i]));
-    } else if (contributions[i].track->heard() >= static_cast<std::size_t>(params_.birth_estimates)) {
+    else if (local.heard() < static_cast<std::size_t>(params_.birth_estimates))
+      continue;
+    else if (credit_.may_begin(local.newest().node_id, local.life()))
       start(contributions[i]);
-    }
+    else
+      ++refused_births_;
   }
 }
 
@@ -176,7 +185,14 @@ void GlobalTracks::take(std::span<const FusedState> fused, const TrackAssociatio
     update_status(g);
   }
   merge_alike(likeness);
-  erase_where(ended());
+  const std::vector<bool> dead = ended();
+  note_ends(dead);
+  erase_where(dead);
+}
+
+void GlobalTracks::note_ends(const std::vector<bool>& dead) {
+  for (std::size_t g = 0; g < dead.size(); ++g)
+    if (dead[g] && !founders_[g].is_proved) credit_.note_false(founders_[g].node_id);
 }
 
 void GlobalTracks::update_status(std::size_t index) {
@@ -191,9 +207,35 @@ void GlobalTracks::update_status(std::size_t index) {
   }
   supported_utime_[index] = utime_;
   track.status = core::TrackStatus::confirmed;
-  track.existence = 1.0 - std::pow(1.0 - params_.local_trust, static_cast<double>(contributions.size()));
+  track.existence = 1.0 - doubt(index);
+  look_for_proof(index);
   for (const Contribution& contribution : contributions)
     track.last_detection_utime = std::max(track.last_detection_utime, contribution.track->newest().utime);
+}
+
+/// Probability that all who speak for a track are wrong.
+double GlobalTracks::doubt(std::size_t index) const {
+  double doubt = 1.0;
+  for (const Contribution& voice : supports_[index].contributions)
+    doubt *= 1.0 - credit_.of(voice.track->newest().node_id);
+  return doubt;
+}
+
+/// A track is proved when another node speaks for it too, or when it has gone on for long.
+void GlobalTracks::look_for_proof(std::size_t index) {
+  Founder& founder = founders_[index];
+  if (founder.is_proved) return;
+  const auto is_other = [&founder](const Contribution& voice) {
+    return voice.track->newest().node_id != founder.node_id;
+  };
+  const auto& voices = supports_[index].contributions;
+  const double life = core::seconds(utime_ - tracks_[index].first_utime);
+  const auto has_lasted = [this](const Contribution& voice) {
+    return voice.track->life() >= credit_.proof();
+  };
+  founder.is_proved = life >= credit_.proof() || std::any_of(voices.begin(), voices.end(), is_other) ||
+                      std::any_of(voices.begin(), voices.end(), has_lasted);
+  if (founder.is_proved) credit_.note_proved(founder.node_id);
 }
 
 std::vector<std::int32_t> GlobalTracks::nodes_of(std::size_t index) const {
@@ -225,7 +267,9 @@ void GlobalTracks::merge_alike(const TrackAssociation& likeness) {
       // The number that more nodes go by stays; the older where they are as many.
       const bool keeps_older = nodes_of(a).size() >= nodes_of(b).size();
       const auto [ended, kept] = keeps_older ? IdPair{pair.second, pair.first} : pair;
-      dead[keeps_older ? b : a] = true;
+      const std::size_t gone = keeps_older ? b : a;
+      dead[gone] = true;
+      if (!founders_[gone].is_proved) credit_.note_undecided(founders_[gone].node_id);
       merged_.push_back({ended, kept});
       pairings_.rename(ended, kept);
     }
@@ -255,6 +299,7 @@ void GlobalTracks::erase_where(const std::vector<bool>& dead) {
       supported_utime_[kept] = supported_utime_[g];
       voices_[kept] = std::move(voices_[g]);
       listeners_[kept] = std::move(listeners_[g]);
+      founders_[kept] = founders_[g];
     }
     ++kept;
   }
@@ -264,6 +309,7 @@ void GlobalTracks::erase_where(const std::vector<bool>& dead) {
   supported_utime_.resize(kept);
   voices_.resize(kept);
   listeners_.resize(kept);
+  founders_.resize(kept);
 }
 
 }  // namespace lookout::fusion

@@ -9,6 +9,7 @@
 #include "core/track.hpp"
 #include "fusion/fusion_method.hpp"
 #include "fusion/local_track_store.hpp"
+#include "fusion/node_credit.hpp"
 #include "fusion/pairings.hpp"
 #include "fusion/track_association.hpp"
 
@@ -20,12 +21,14 @@ struct GlobalTracksParams {
                              ///< [Li2018]'s scene starts at the fourth.
   double coast = 10.0;       ///< A global track that no node supports is kept so long [s], >= 0, at most as
                              ///< long as it has lived. Own choice.
-  double local_trust = 0.9;  ///< Probability that one node's track is a target, in (0, 1). Own choice.
+  double local_trust = 0.9;  ///< Probability that one node's track is a target, in (0, 1), before anything is
+                             ///< known of the node. Own choice.
   double merge_threshold = 0.35;  ///< Membership from which two tracks of different nodes are one, in (0, 1].
                                   ///< The association's.
   double process_noise = 0.01;  ///< White acceleration q [m^2/s^3], >= 0, by which the covariance of a track
                                 ///< without support grows. Own choice: KalmanModel's.
   int merge_updates = 3;        ///< For so many updates in a row, >= 1. Own choice.
+  NodeCreditParams credit;      ///< Of the nodes.
   int probation = 3;  ///< Messages that a newcomer must send for a track that another node already speaks for
                       ///< before it has a vote there, >= 1. Own choice: a wrong start lasts two at most.
 };
@@ -68,6 +71,10 @@ class GlobalTracks {
 
   /// All tracks at the time of the last prediction.
   std::span<const core::Track> tracks() const { return tracks_; }
+  /// Probability that a track which the node alone speaks for is a target.
+  double credit_of(std::int32_t node_id) const { return credit_.of(node_id); }
+  /// Times that an unassociated tracklet began no track, its node having too little credit.
+  std::int64_t refused_births() const { return refused_births_; }
   /// Which tracks have died in a merger, and into which: (ended, kept), in this update.
   std::span<const std::pair<std::int64_t, std::int64_t>> merged() const { return merged_; }
   /// Forgets the associations of local tracks that the store has forgotten.
@@ -84,12 +91,20 @@ class GlobalTracks {
     bool trusted;
   };
   using Voices = std::vector<Voice>;
+  /// Who began a track, and whether it has proved itself since.
+  struct Founder {
+    std::int32_t node_id = 0;
+    bool is_proved = false;
+  };
 
   void start(const Contribution& contribution);
   int place_of(std::int64_t global_id) const;
   void support(const Contribution& contribution, std::size_t index);
   Company company_of(std::size_t index, std::int32_t node_id) const;
   void update_status(std::size_t index);
+  void look_for_proof(std::size_t index);
+  double doubt(std::size_t index) const;
+  void note_ends(const std::vector<bool>& dead);
   void merge_alike(const TrackAssociation& likeness);
   std::vector<std::int32_t> nodes_of(std::size_t index) const;
   bool may_be_one(std::size_t a, std::size_t b) const;
@@ -106,12 +121,15 @@ class GlobalTracks {
   std::vector<std::int64_t> supported_utime_;         ///< When a node last supported it [us].
   std::vector<Voices> voices_;                        ///< Who had a vote the last time.
   std::vector<std::vector<std::int32_t>> listeners_;  ///< Nodes with a track on probation there.
+  std::vector<Founder> founders_;
 
   std::vector<Eigen::Vector4d> predicted_for_;  ///< Of the node that asked last.
   std::vector<TrackGroup> groups_;
   Pairings pairings_;
   std::map<IdPair, int> alike_;  ///< For how many updates two tracks have looked like one.
   std::vector<IdPair> merged_;
+  NodeCredit credit_;
+  std::int64_t refused_births_ = 0;
 };
 
 }  // namespace lookout::fusion

@@ -24,6 +24,7 @@ class LocalTrack {
   void append(const LocalEstimate& estimate) { append(estimate, estimate.utime); }
   /// Adds an estimate later than all before it that arrives at `arrived` on the common clock [us].
   void append(const LocalEstimate& estimate, std::int64_t arrived) {
+    if (heard_ == 0) first_utime_ = estimate.utime;
     kept_[heard_ % kMemory] = estimate;
     arrived_ = arrived;
     ++heard_;
@@ -52,6 +53,8 @@ class LocalTrack {
     if (!is_tracklet()) return Eigen::Vector2d::Zero();
     return newest().state.head<2>() - back(1).state.head<2>();
   }
+  /// Seconds from the first estimate, or the one at the last restart, to the newest.
+  double life() const { return core::seconds(newest().utime - first_utime_); }
   /// Seconds from the newest estimate to `utime`.
   double age(std::int64_t utime) const { return core::seconds(utime - newest().utime); }
   /// Seconds from the arrival of the newest estimate to `utime`: what its node has been silent of it.
@@ -62,6 +65,7 @@ class LocalTrack {
  private:
   std::array<LocalEstimate, kMemory> kept_;
   std::size_t heard_ = 0;
+  std::int64_t first_utime_ = 0;
   std::int64_t arrived_ = 0;  ///< Of the newest, on the common clock [us].
 };
 

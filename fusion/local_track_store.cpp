@@ -32,6 +32,8 @@ LocalTrackStore::LocalTrackStore(const LocalTrackStoreParams& params) : params_(
                 "skips must be 1 to 7", params.skips);
   core::require(params.forget_after >= params.max_age, "forget_after must be >= max_age",
                 params.forget_after);
+  core::require(params.max_tracks_of_node >= 1, "max_tracks_of_node must be >= 1",
+                static_cast<double>(params.max_tracks_of_node));
   core::require(params.max_tracks >= 1, "max_tracks must be >= 1", static_cast<double>(params.max_tracks));
 }
 
@@ -39,7 +41,8 @@ Intake LocalTrackStore::add(const LocalEstimate& estimate, std::int64_t arrived)
   const Key key{estimate.node_id, estimate.track_id};
   const auto found = tracks_.find(key);
   if (found == tracks_.end()) {
-    if (tracks_.size() >= params_.max_tracks) return Intake::too_many;
+    if (!has_room_for(estimate.node_id)) return Intake::too_many;
+    ++rhythms_[estimate.node_id].known;
     tracks_.emplace(key, LocalTrack(estimate)).first->second.note_arrival(arrived);
     note_message(estimate);
     return Intake::accepted;
@@ -58,6 +61,13 @@ Intake LocalTrackStore::add(const LocalEstimate& estimate, std::int64_t arrived)
     track.restart();
   }
   return Intake::accepted;
+}
+
+/// No node takes the room of the others.
+bool LocalTrackStore::has_room_for(std::int32_t node_id) const {
+  const auto rhythm = rhythms_.find(node_id);
+  return tracks_.size() < params_.max_tracks &&
+         (rhythm == rhythms_.end() || rhythm->second.known < params_.max_tracks_of_node);
 }
 
 void LocalTrackStore::note_message(const LocalEstimate& estimate) {
@@ -113,8 +123,11 @@ bool LocalTrackStore::votes(const LocalTrack& track, std::int64_t utime) const {
 void LocalTrackStore::forget_silent(std::int64_t utime) {
   std::erase_if(tracks_, [&](const auto& entry) {
     const double turn = kTurnsOfMemory / kTurnsOfVote * turn_limit(entry.first.first);
-    return entry.second.silence(utime) > std::max(params_.forget_after, turn);
+    const bool is_silent = entry.second.silence(utime) > std::max(params_.forget_after, turn);
+    if (is_silent) --rhythms_[entry.first.first].known;
+    return is_silent;
   });
+  std::erase_if(rhythms_, [](const auto& entry) { return entry.second.known == 0; });
 }
 
 void LocalTrackStore::clear() {

@@ -28,10 +28,11 @@ struct LocalTrackStoreParams {
                                ///< between estimates of one track has ended, > 1. Own choice.
   int skips = 2;  ///< A track has ended too once its node has sent another so many times more often since,
                   ///< >= 1. Links take turns; two skips tolerate one lost message. Own choice.
-  double min_silence = 1.6;        ///< Shortest such silence [s], > 0: three scans of 0.5 s. Own choice.
-  double forget_after = 30.0;      ///< A track silent for so long is forgotten [s], >= max_age, or for three
-                                   ///< of its node's turns. Own choice.
-  std::size_t max_tracks = 10000;  ///< Of all nodes together, >= 1: bounds the memory. Own choice.
+  double min_silence = 1.6;    ///< Shortest such silence [s], > 0: three scans of 0.5 s. Own choice.
+  double forget_after = 30.0;  ///< A track silent for so long is forgotten [s], >= max_age, or for three
+                               ///< of its node's turns. Own choice.
+  std::size_t max_tracks_of_node = 300;  ///< >= 1: as many as a list of tracks has. Own choice.
+  std::size_t max_tracks = 10000;        ///< Of all nodes together, >= 1: bounds the memory. Own choice.
 };
 
 /// The local tracks of all nodes: the newest estimates per node and track.
@@ -66,10 +67,12 @@ class LocalTrackStore {
                             ///< tracks, since the link is thin.
     double message_interval = 0.0;               ///< Mean time between two messages, of any track [s].
     std::optional<std::int64_t> newest_message;  ///< Stamp of the newest [us].
+    std::size_t known = 0;                       ///< Its tracks in the store.
     double live = 0.0;                           ///< Tracks that it takes turns with, at its newest message.
     std::int64_t skipped_before = 0;             ///< A track not heard since then [us] has been skipped.
   };
 
+  bool has_room_for(std::int32_t node_id) const;
   double silence_limit(std::int32_t node_id) const;
   double turn_limit(std::int32_t node_id) const;
   bool is_skipped(const LocalTrack& track) const;

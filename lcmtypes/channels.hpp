@@ -22,7 +22,10 @@ class Channels {
   std::string motion_elements() const { return prefix_ + "MOTION_ELEMENTS"; }  ///< motion_elements_t, out.
   std::string tracks() const { return prefix_ + "TRACKS"; }                    ///< track_list_t, out.
   std::string sensor_estimate() const { return prefix_ + "SENSOR_ESTIMATE"; }  ///< sensor_estimate_t, out.
-  std::string ospa() const { return prefix_ + "OSPA"; }                        ///< ospa_t, from the scorer.
+  std::string clutter_map() const {
+    return prefix_ + "CLUTTER_MAP";
+  }                                                                  ///< clutter_map_t, out where asked for.
+  std::string ospa() const { return prefix_ + "OSPA"; }              ///< ospa_t, from the scorer.
   std::string status() const { return prefix_ + "LOOKOUT_STATUS"; }  ///< node_status_t, from every node.
 
   /// local_estimate_t; shared between vehicles, never prefixed.

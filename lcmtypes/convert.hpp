@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include <lookout/clutter_map_t.hpp>
 #include <lookout/ground_truth_t.hpp>
 #include <lookout/local_estimate_t.hpp>
 #include <lookout/motion_elements_t.hpp>
@@ -14,6 +15,7 @@
 #include <lookout/sonar_scan_t.hpp>
 #include <lookout/track_list_t.hpp>
 #include <lookout/vehicle_state_t.hpp>
+#include "core/clutter_grid.hpp"
 #include "core/files/recording.hpp"
 #include "core/ground_truth.hpp"
 #include "core/local_estimate.hpp"
@@ -31,9 +33,10 @@
 /// from port. `to_wire` keeps every message below one datagram, images alone excepted.
 namespace lookout::lcmtypes {
 
-inline constexpr std::size_t kMaxListed = 300;    ///< Tracks or elements in one message.
-inline constexpr std::size_t kMaxReturns = 2700;  ///< Returns in one message: 24 bytes each.
-inline constexpr std::size_t kMaxTargets = 1700;  ///< True targets in one message: 37 bytes each.
+inline constexpr std::size_t kMaxListed = 300;         ///< Tracks or elements in one message.
+inline constexpr std::size_t kMaxReturns = 2700;       ///< Returns in one message: 24 bytes each.
+inline constexpr std::size_t kMaxTargets = 1700;       ///< True targets in one message: 37 bytes each.
+inline constexpr std::size_t kMaxClutterCells = 4096;  ///< Of a clutter map: a byte each.
 /// Beams x bins of an image: 2 bytes each, in as many datagrams as that takes.
 inline constexpr std::size_t kMaxPixels = core::SonarLimits::kMaxPixels;
 
@@ -93,6 +96,9 @@ Converted<KeyedElements> to_core(const motion_elements_t& wire);
 Converted<KeyedTracks> to_core(const track_list_t& wire);
 /// Refuses a probability or a standard deviation that is none.
 Converted<KeyedSensorEstimate> to_core(const sensor_estimate_t& wire);
+/// Refuses counts and sizes that are not those of a grid of at least one cell and at most kMaxClutterCells,
+/// steps that are not above 0, a density below 0, and values that are not finite.
+Converted<core::ClutterGrid> to_core(const clutter_map_t& wire);
 /// Refuses a covariance of other than 0 or 16 numbers, and values that are not finite.
 Converted<core::LocalEstimate> to_core(const local_estimate_t& wire);
 
@@ -111,6 +117,8 @@ Listed<motion_elements_t> to_wire(const ScanKey& key, core::EstimatorMethod meth
 Listed<track_list_t> to_wire(const ScanKey& key, std::span<const core::Track> tracks);
 /// Field by field; cannot fail.
 sensor_estimate_t to_wire(const ScanKey& key, const core::SensorEstimate& estimate);
+/// @throws std::length_error above kMaxClutterCells, or where sizes disagree.
+clutter_map_t to_wire(const core::ClutterGrid& grid);
 /// Field by field; without covariance where the estimate has none.
 local_estimate_t to_wire(const core::LocalEstimate& estimate);
 

@@ -2,9 +2,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
+#include "core/clutter_grid.hpp"
 #include "core/motion_element.hpp"
 #include "core/sensor_estimate.hpp"
 #include "core/track.hpp"
@@ -21,6 +23,9 @@ struct PingResult {
   std::span<const core::MotionElement> elements;  ///< What the estimator found.
   std::span<const core::Track> tracks;            ///< At the ping's time; with a lag, as known so much later.
   std::optional<core::SensorEstimate> sensor_estimate;  ///< Of methods that estimate the sensor's figures.
+  /// What has been learnt of the clutter up to the newest ping, for who wants to know: see
+  /// Tracker::clutter_grid. May be empty.
+  std::function<std::optional<core::ClutterGrid>()> clutter_grid;
   core::EstimatorMethod method = core::EstimatorMethod::csht;  ///< Of the estimator that ran.
   int window_scans = 0;                                        ///< Of its full window; 0 where none ran.
 };

@@ -24,6 +24,7 @@ ScanPipeline::ScanPipeline(std::unique_ptr<csht::MotionEstimator> estimator, std
 
 PingResult ScanPipeline::step(const core::PosedScan& posed) {
   const core::PosedScan& scan = at_time_of_returns(posed);
+  sensor_id_ = posed.scan.sensor_id;
   const csht::Explained explained = tracker_->take(scan);
   if (estimator_) estimator_->offer(explained);
   const auto elements = estimate(scan);
@@ -53,6 +54,7 @@ PingResult ScanPipeline::describe(const core::PosedScan& posed) const {
   result.sequence = scan.sequence;
   result.sensor_id = scan.sensor_id;
   result.p_earth_sonar = {posed.T_earth_sonar.north, posed.T_earth_sonar.east};
+  result.clutter_grid = [this] { return clutter_grid(); };
   if (estimator_) {
     result.method = estimator_->method();
     result.window_scans = estimator_->window_scans();
@@ -60,6 +62,14 @@ PingResult ScanPipeline::describe(const core::PosedScan& posed) const {
   }
   if (!result.sensor_estimate) result.sensor_estimate = tracker_->sensor_estimate();
   return result;
+}
+
+std::optional<core::ClutterGrid> ScanPipeline::clutter_grid() const {
+  auto grid = tracker_->clutter_grid();
+  if (!grid) return grid;
+  grid->utime += latency_;
+  grid->sensor_id = sensor_id_;
+  return grid;
 }
 
 void ScanPipeline::explain_to(const DecisionLog& log) {

@@ -32,6 +32,7 @@ class ScanPipeline {
   std::span<const core::Track> retrodict(std::int64_t utime);
   bool can_retrodict() const { return tracker_->can_retrodict(); }  ///< See Tracker.
 
+  std::optional<core::ClutterGrid> clutter_grid() const;  ///< See Tracker, with the time of the scan.
   void explain_to(const DecisionLog& log);  ///< See Tracker::explain_to; times are those of the scans.
   std::int64_t next_id() const { return tracker_->next_id(); }      ///< See Tracker.
   void set_next_id(std::int64_t id) { tracker_->set_next_id(id); }  ///< See Tracker.
@@ -46,7 +47,8 @@ class ScanPipeline {
   std::unique_ptr<csht::MotionEstimator> estimator_;
   std::unique_ptr<Tracker> tracker_;
   std::int64_t latency_;
-  core::PosedScan scan_;  ///< The newest, at the time of its returns.
+  std::int32_t sensor_id_ = 0;  ///< Of the newest scan.
+  core::PosedScan scan_;        ///< The newest, at the time of its returns.
   std::vector<core::MotionElement> elements_;
   std::vector<core::Track> tracks_;
 };

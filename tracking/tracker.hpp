@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "core/clutter_grid.hpp"
 #include "core/motion_element.hpp"
 #include "core/sensor_estimate.hpp"
 #include "core/sonar_scan.hpp"
@@ -33,6 +34,13 @@ class Tracker {
   /// The sensor's figures as the tracker sees them after the newest scan; nothing from trackers that do not
   /// estimate them.
   virtual std::optional<core::SensorEstimate> sensor_estimate() const { return std::nullopt; }
+
+  /// Whether `clutter_grid` has something to say, once there are scans.
+  virtual bool learns_clutter() const { return false; }
+
+  /// What the tracker has learnt of its clutter, around the sonar of the newest scan; nothing from trackers
+  /// that take it for uniform. It costs some milliseconds.
+  virtual std::optional<core::ClutterGrid> clutter_grid() const { return std::nullopt; }
 
   /// Sends every decision from now on to `log`. Trackers that keep no account of them ignore it.
   virtual void explain_to(const DecisionLog& /*log*/) {}

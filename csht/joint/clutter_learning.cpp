@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "csht/joint/density/lived_odds.hpp"
+#include "csht/likelihood/clutter_grid.hpp"
 #include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
@@ -48,6 +49,11 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   background_[0].resize(newest.background.size());
   map_.price(newest, background_rate(likelihood), background_[0]);
   likelihood.set_background(0, background_[0]);
+}
+
+std::optional<core::ClutterGrid> ClutterLearning::grid(const ScanLikelihood& likelihood) const {
+  if (!params_.map.enabled || likelihood.scans().size() == 0) return std::nullopt;
+  return clutter_grid(map_, likelihood.scans().newest(), background_rate(likelihood));
 }
 
 void ClutterLearning::reserve(const ScanTable& scan, int scans) {

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "core/clutter_grid.hpp"
 #include "core/sonar_params.hpp"
 #include "csht/joint/density/engine_params.hpp"
 #include "csht/joint/density/target_track.hpp"
@@ -31,6 +33,9 @@ class ClutterLearning {
   /// Takes the newest scan into the map, after the tracks have. Now and then judges all scans anew and lets
   /// weights and odds of the tracks, which stand at the newest scan, follow what that changes.
   void learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
+
+  /// What the map holds, around the sonar of the newest scan; nothing without a map or a scan.
+  std::optional<core::ClutterGrid> grid(const ScanLikelihood& likelihood) const;
 
   double standing_share() const { return map_.standing_share(); }  ///< See ClutterMap.
 

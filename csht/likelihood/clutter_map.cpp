@@ -201,6 +201,44 @@ void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& b
   background[static_cast<std::size_t>(scan.num_beams) + 1] = background[1];
 }
 
+ClutterMap::Place ClutterMap::place_in_earth(const ScanTable& scan, const Eigen::Vector2d& p_earth) {
+  const Eigen::Vector2d from = p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
+  return {p_earth, core::wrap_to_pi(std::atan2(from.y(), from.x()) - scan.axis) / scan.bearing_step,
+          from.norm()};
+}
+
+ClutterMap::Place ClutterMap::place_in_sonar(const ScanTable& scan, const BinnedPoint& point) const {
+  const double beam = static_cast<double>(point.x), range = static_cast<double>(point.y) * range_reach_;
+  const double azimuth = scan.axis + beam * scan.bearing_step;
+  return {{scan.T_earth_sonar.north + range * std::cos(azimuth),
+           scan.T_earth_sonar.east + range * std::sin(azimuth)},
+          beam,
+          range};
+}
+
+std::vector<ClutterMap::PricedPlace> ClutterMap::places(const ScanTable& scan, double rate,
+                                                        std::size_t most) const {
+  std::size_t returns = 0, k = 0;
+  for (const Look& look : looks_) returns += look.earth.size();
+  const std::size_t stride = returns / (most + 1) + 1;
+  std::vector<PricedPlace> places;
+  ScanTable then = scan;  // The same place of the sonar, at the time of each look: it must not judge itself.
+  const auto take = [&](const Place& place) {
+    if (place.range < scan.max_range && 2.0 * std::abs(place.beam) < scan.num_beams)
+      places.push_back({place.beam, place.range, background_at(then, place, rate)});
+  };
+  for (const Look& look : looks_) {
+    then.utime = look.utime;
+    mark_looks(then);
+    for (std::size_t j = 0; j < look.earth.size(); ++j) {
+      if (k++ % stride != 0) continue;
+      take(place_in_sonar(scan, look.sonar[j]));
+      take(place_in_earth(scan, {look.earth[j].x, look.earth[j].y}));
+    }
+  }
+  return places;
+}
+
 double ClutterMap::background_at(const ScanTable& scan, const Place& place, double rate) const {
   return 1.0 / (1.0 + std::max(sonar_or_recent(scan, place, rate).density(),
                                earth_excess(scan, place, rate).density()));

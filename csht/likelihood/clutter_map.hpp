@@ -74,6 +74,17 @@ class ClutterMap {
     return earth_dense_.share();
   }  ///< Probability that a return is of what stands still.
 
+  /// A place around the sonar of a scan, and what is known of it.
+  struct PricedPlace {
+    double beam = 0.0;        ///< Beams from the axis of the scan, to starboard.
+    double range = 0.0;       ///< From its sonar [m].
+    double background = 1.0;  ///< The background's share of the density of false returns there.
+  };
+  /// Where the returns in memory lie around the sonar of `scan`: each as it was in the sonar's frame and as
+  /// it was in the earth's, within the fan, priced by the scans that are not near in time to its own.
+  /// @param rate as for `price`. @param most returns that are taken, > 0; of more, evenly spaced ones.
+  std::vector<PricedPlace> places(const ScanTable& scan, double rate, std::size_t most) const;
+
  private:
   struct Look {
     std::int64_t utime = 0;
@@ -91,6 +102,8 @@ class ClutterMap {
   };
 
   static Place place_of(const ScanTable& scan, const core::Detection& detection);
+  static Place place_in_earth(const ScanTable& scan, const Eigen::Vector2d& p_earth);
+  Place place_in_sonar(const ScanTable& scan, const BinnedPoint& point) const;
   void reserve();
   Look& next_look();
   void take_return(const ScanTable& scan, const core::Detection& detection, float weight, Look& look);

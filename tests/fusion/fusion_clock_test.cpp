@@ -126,7 +126,9 @@ TEST_F(TwoNodes, AClockThatIsEightSecondsBehindIsSetByWhereItsTargetsAre) {
   EXPECT_NEAR(core::seconds(fusion.clock().offset(2)), 8.0, 0.5);
   ASSERT_EQ(tracks.size(), 2u);
   EXPECT_LT(error(0, 1, 30.0), 0.5 * 2.0);  // Half a second of its way at most.
-  EXPECT_NEAR(tracks[0].existence, 0.99, 1e-9);
+  // Both speak for it; what the second began before its clock was set was false.
+  EXPECT_NEAR(tracks[0].existence, 1.0 - 0.1 * (1.0 - fusion.global_tracks().credit_of(2)), 1e-9);
+  EXPECT_GT(tracks[0].existence, 0.98);
 }
 
 TEST_F(TwoNodes, ANodeTooLateToVoteIsCounted) {
@@ -159,6 +161,18 @@ TEST(FusionClock, ALoneNodeThatReportsEverySixSecondsIsHeard) {
   for (int k = 0; k < 20; ++k) refused += clock.read(1, microseconds(6.0 * k)).utime ? 0 : 1;
   EXPECT_LE(refused, 2);
   EXPECT_EQ(clock.now(), microseconds(114.0));
+}
+
+TEST(FusionClock, ItsTableOfNodesIsBoundedAndTheSilentMakeRoom) {
+  FusionClockParams params;
+  params.max_nodes = 2;
+  FusionClock clock(params);
+  EXPECT_FALSE(clock.read(1, 0).is_full);
+  EXPECT_FALSE(clock.read(2, 0).is_full);
+  for (std::int32_t node = 3; node < 1000; ++node) EXPECT_TRUE(clock.read(node, 0).is_full);
+  for (int second = 1; second <= 61; ++second) clock.read(1, microseconds(second));
+  EXPECT_FALSE(clock.read(3, microseconds(61.0)).is_full);  // Node 2 has been silent for a minute.
+  EXPECT_TRUE(clock.read(2, microseconds(61.0)).is_full);
 }
 
 TEST(FusionClock, TolerancesAreParameters) {

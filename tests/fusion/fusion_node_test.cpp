@@ -81,5 +81,47 @@ TEST_F(OnOneBus, TellsOfTwoVehiclesWithOneIdAndWhatItRefused) {
   EXPECT_NE(said.find("refused: 1 repeated"), std::string::npos) << said;
 }
 
+// 300 estimates of one node come before there is time for any; four of them were to wait.
+TEST(FusionNode, AFloodCostsItsSenderAloneAndIsCounted) {
+  lcmtypes::Bus bus("memq://");
+  FusionNodeParams params;
+  params.max_waiting = 4;
+  FusionNode node(bus, params);
+  std::optional<lcmtypes::NodeStatus> status;
+  bus.subscribe_bytes("LOOKOUT_STATUS", [&status](std::span<const std::uint8_t> bytes) {
+    status = lcmtypes::read_node_status(bytes);
+  });
+  const auto send = [&bus](std::int32_t sender, double time) {
+    bus.publish(lcmtypes::Channels::kLocalEstimate,
+                lcmtypes::to_wire(estimate(sender, 1, time, {2.0 * time, 0, 2, 0})));
+  };
+  send(1, 0.0);
+  for (int k = 0; k < 300; ++k) send(2, 0.01 * k);
+  send(1, 3.0);
+  node.run({.idle_exit = 0.05});
+  bus.drain();
+  EXPECT_GE(node.fusion().count(Intake::accepted), 4);
+  EXPECT_GT(node.shed(), 100);
+  EXPECT_EQ(node.fusion().count(Intake::accepted) + node.refused() + node.shed(), 302);
+  EXPECT_NE(node.fusion().global_of(1, 1), -1);  // It takes both of its estimates to have a vote.
+  ASSERT_TRUE(status);
+  EXPECT_NE(status->last_error.find("overloaded: shed "), std::string::npos) << status->last_error;
+}
+
+TEST_F(OnOneBus, TellsOfANodeWhoseTracksProveFalse) {
+  std::string said;
+  bus.subscribe_bytes("LOOKOUT_STATUS", [&said](std::span<const std::uint8_t> bytes) {
+    if (const auto status = lcmtypes::read_node_status(bytes)) said = status->last_error;
+  });
+  for (int k = 0; k < 60; ++k) {  // A new track at each time, sent twice, where none was before.
+    for (const double time : {0.5 * k, 0.5 * k + 0.25})
+      bus.publish(lcmtypes::Channels::kLocalEstimate,
+                  lcmtypes::to_wire(estimate(3, k, time, {100.0 * k, 0, 1, 0})));
+  }
+  run();
+  EXPECT_NE(said.find("node 3 has credit "), std::string::npos) << said;
+  EXPECT_NE(said.find(" %: its tracks prove false"), std::string::npos) << said;
+}
+
 }  // namespace
 }  // namespace lookout::fusion

@@ -108,6 +108,27 @@ TEST(LocalTrackStore, ForgetsTheLongSilentAndBoundsItsMemory) {
   EXPECT_EQ(store.tracks().size(), 1u);
 }
 
+TEST(LocalTrackStore, NoNodeTakesTheRoomOfTheOthers) {
+  LocalTrackStore store({});
+  for (int id = 0; id < 1000; ++id) {
+    const auto outcome = store.add(estimate(1, id, 0.0, kState));
+    EXPECT_EQ(outcome, id < 300 ? Intake::accepted : Intake::too_many);
+  }
+  EXPECT_EQ(store.add(estimate(2, 1, 0.0, kState)), Intake::accepted);
+  store.forget_silent(core::microseconds(1000.0));
+  EXPECT_TRUE(store.tracks().empty());
+  EXPECT_EQ(store.add(estimate(1, 2000, 1000.0, kState)), Intake::accepted);
+}
+
+TEST(LocalTrackStore, ATrackKnowsHowLongItsNodeHasSentIt) {
+  LocalTrack track(estimate(1, 1, 2.0, kState));
+  EXPECT_EQ(track.life(), 0.0);
+  for (int k = 3; k < 20; ++k) track.append(estimate(1, 1, k, kState));
+  EXPECT_EQ(track.life(), 17.0);
+  track.restart();
+  EXPECT_EQ(track.life(), 0.0);
+}
+
 TEST(LocalTrackStore, KeepsTheNewestEightEstimates) {
   LocalTrack track(estimate(1, 1, 0.0, kState));
   for (int k = 1; k < 20; ++k) track.append(estimate(1, 1, k, kState));

@@ -9,8 +9,8 @@ namespace lookout::tests {
 namespace {
 
 TEST(CommandLine, HelpShowsAnExampleFirst) {
-  for (const std::string command : {"run", "sim", "track", "score", "replay", "ospa", "experiment", "compare", "merge", "watch",
-                                    "status", "plot", "fault", "doctor"}) {
+  for (const std::string command : {"run", "sim", "track", "score", "replay", "ospa", "experiment", "compare",
+                                    "merge", "watch", "status", "plot", "fault", "doctor"}) {
     const auto result = run_lookout(command + " --help");
     EXPECT_EQ(result.status, 0);
     EXPECT_TRUE(result.out.starts_with("Example:\n  lookout " + command)) << result.out;
@@ -62,6 +62,8 @@ TEST(CommandLine, BadUsageIsStatusTwoAndOneLine) {
         "fault " LOOKOUT_SOURCE_DIR "/tools/scenarios/faults/scan_off.yaml --lcm-url memq://",
         "doctor --channel-prefix a+b",
         "doctor --lcm-url nonsense",
+        "track --publish-clutter 5 --tracker gnn --lcm-url memq://",
+        "track --publish-clutter 0 --lcm-url memq://",
         "track --state x --estimator h_pmht --lcm-url memq://"}) {
     const auto result = run_lookout(arguments);
     EXPECT_EQ(result.status, 2) << arguments;

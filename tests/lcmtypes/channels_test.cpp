@@ -16,6 +16,7 @@ TEST(Channels, HaveTheNamesOfTheContract) {
   EXPECT_EQ(channels.motion_elements(), "MOTION_ELEMENTS");
   EXPECT_EQ(channels.tracks(), "TRACKS");
   EXPECT_EQ(channels.sensor_estimate(), "SENSOR_ESTIMATE");
+  EXPECT_EQ(channels.clutter_map(), "CLUTTER_MAP");
   EXPECT_EQ(channels.ospa(), "OSPA");
   EXPECT_EQ(channels.status(), "LOOKOUT_STATUS");
 }

@@ -74,6 +74,10 @@ inline core::SensorEstimate example_sensor_estimate() {
   return {2'000'000, 0.25, 0.125, 3.0, 0.01, 0.02, 0.03};
 }
 
+inline core::ClutterGrid example_clutter_grid() {
+  return {2'000'000, 7, {1.5, -2.5, 0.25}, -0.75, 0.5, 10.0, 3, 2, {0, 1, 20, 30, 126, 127}};
+}
+
 inline core::LocalEstimate example_local_estimate() {
   core::LocalEstimate estimate;
   estimate.utime = 2'500'000;
@@ -119,6 +123,9 @@ inline auto example_wire(const track_list_t*) {
 }
 inline auto example_wire(const sensor_estimate_t*) {
   return lcmtypes::to_wire(kExampleKey, example_sensor_estimate());
+}
+inline auto example_wire(const clutter_map_t*) {
+  return lcmtypes::to_wire(example_clutter_grid());
 }
 inline auto example_wire(const local_estimate_t*) {
   return lcmtypes::to_wire(example_local_estimate());

@@ -23,8 +23,9 @@ class HostileInput : public ::testing::Test {
   int handled_ = 0;
 };
 
-using ReceivedTypes = ::testing::Types<vehicle_state_t, sonar_scan_t, sonar_image_t, ground_truth_t,
-                                       motion_elements_t, track_list_t, sensor_estimate_t, local_estimate_t>;
+using ReceivedTypes =
+    ::testing::Types<vehicle_state_t, sonar_scan_t, sonar_image_t, ground_truth_t, motion_elements_t,
+                     track_list_t, sensor_estimate_t, clutter_map_t, local_estimate_t>;
 TYPED_TEST_SUITE(HostileInput, ReceivedTypes);
 
 TYPED_TEST(HostileInput, AGoodMessagePasses) {

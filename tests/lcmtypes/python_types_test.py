@@ -41,6 +41,8 @@ def filled(kind):
             setattr(message, field, 2)
         elif field == "intensity" and kind is lookout.sonar_image_t:
             setattr(message, field, ((1, 2), (-3, 32767)))
+        elif field == "density":
+            setattr(message, field, ((0, 1), (20, 127)))
         elif field in ("targets", "tracks", "elements"):
             part = {"targets": "target_truth_t", "tracks": "track_t", "elements": "motion_element_t"}[field]
             setattr(message, field, [filled(getattr(lookout, part)), filled(getattr(lookout, part))])
@@ -67,7 +69,7 @@ def as_plain(value):
 
 def test_there_and_back():
     kinds = [getattr(lookout, name) for name in dir(lookout) if name.endswith("_t") and isinstance(getattr(lookout, name), type)]
-    expect(len(kinds) == 13, f"{len(kinds)} types")
+    expect(len(kinds) == 14, f"{len(kinds)} types")
     for kind in kinds:
         message = filled(kind)
         expect(as_plain(kind.decode(message.encode())) == as_plain(message), f"{kind.__name__} there and back")

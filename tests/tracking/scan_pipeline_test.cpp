@@ -132,5 +132,26 @@ TEST(ScanPipeline, DecisionsAreOfTheScansTime) {
   EXPECT_EQ(utime, 8 * kSecond);
 }
 
+TEST(ScanPipeline, ItsClutterMapIsOfTheScanAndItsSensor) {
+  class Learner : public OneTarget {
+   public:
+    std::optional<core::ClutterGrid> clutter_grid() const override {
+      core::ClutterGrid grid;
+      grid.utime = 3 * kSecond;  // The time of the returns.
+      return grid;
+    }
+  };
+  core::PosedScan scan;
+  scan.scan.utime = 5 * kSecond;
+  scan.scan.sensor_id = 4;
+  ScanPipeline pipeline(nullptr, std::make_unique<Learner>(), 2 * kSecond);
+  const auto grid = pipeline.step(scan).clutter_grid();
+  ASSERT_TRUE(grid);
+  EXPECT_EQ(grid->utime, 5 * kSecond);
+  EXPECT_EQ(grid->sensor_id, 4);
+  ScanPipeline other(nullptr, std::make_unique<OneTarget>());
+  EXPECT_FALSE(other.step(scan).clutter_grid());
+}
+
 }  // namespace
 }  // namespace lookout::tracking

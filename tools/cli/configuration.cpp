@@ -112,6 +112,18 @@ void check_lag(const Configuration& configuration) {
     throw core::InputError("--lag: tracker " + tracker.name + " has no delayed output, expected 0");
 }
 
+void refuse_idle_clutter_map(const Options& options, const Configuration& configuration) {
+  if (!options.clutter_every) return;
+  constexpr double kLongest = 1e6;
+  if (!(*options.clutter_every > 0.0 && *options.clutter_every <= kLongest))
+    throw core::InputError("--publish-clutter: got " + core::shortest(*options.clutter_every) +
+                           ", expected seconds above 0, at most 1e6");
+  const tracking::TrackerParams& tracker = configuration.tracker;
+  if (!tracking::make_tracker(tracker.name, tracker, configuration.sensor, 1)->learns_clutter())
+    throw core::InputError("--publish-clutter: has no effect on tracker " + tracker.name +
+                           ", which learns no clutter map; expected joint or none");
+}
+
 /// The flag, or the file and key, that chose something.
 std::string source_of(const std::string& given, const char* flag, const Options& options, const char* key) {
   return given.empty() ? options.config + ": " + key : std::string(flag);
@@ -156,6 +168,7 @@ void refuse_idle_image_choices(const Options& options, const Configuration& conf
   if (!options.tracker.empty()) refuse("--tracker");
   if (configuration.lag > 0) refuse("--lag");
   if (options.explain) refuse("--explain");
+  if (options.clutter_every) refuse("--publish-clutter");
 }
 
 }  // namespace
@@ -213,6 +226,7 @@ void refuse_idle_choices(const Options& options, const Configuration& configurat
   if (tracks_images(configuration)) return refuse_idle_image_choices(options, configuration);
   refuse_idle_parameters(options, configuration);
   refuse_idle_estimator(options, configuration);
+  refuse_idle_clutter_map(options, configuration);
   if (configuration.tracker.report_all && takes_no_elements(configuration.tracker.name))
     throw core::InputError(options.config + ": output: min_existence: has no effect on tracker " +
                            configuration.tracker.name + ", whose tracks exist or do not; expected none");

@@ -23,6 +23,7 @@ struct Options {
   bool explain = false;
   bool unknown_sensor = false;  ///< `run` keeps the scene's sensor figures from the tracker.
   bool publish_estimates = false;
+  std::optional<double> clutter_every;  ///< `track` also publishes CLUTTER_MAP, so often [s].
   int node_id = 1;
   double cutoff = 20.0;                  ///< OSPA cut-off [m].
   double order = 2.0;                    ///< OSPA order.

@@ -40,7 +40,8 @@ int fuse_command(const Options& options) {
            " duplicates, " + std::to_string(fusion.count(Intake::out_of_order)) + " out of order, " +
            std::to_string(fusion.count(Intake::clock)) + " on another clock, " +
            std::to_string(fusion.count(Intake::no_covariance)) + " without covariance); " +
-           std::to_string(fusion.late()) + " too late to vote");
+           std::to_string(fusion.late()) + " too late to vote, " + std::to_string(node.shed()) +
+           " shed for want of time");
   return end_of_link(bus);
 }
 

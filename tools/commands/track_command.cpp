@@ -81,6 +81,7 @@ int track_command(const Options& options) {
   params.channel_prefix = options.channel_prefix;
   params.node_id = options.node_id;
   params.publish_estimates = options.publish_estimates;
+  params.clutter_every = options.clutter_every;
   params.link = configuration.fusion.link;
   params.state_file = options.state;
   const auto link = open_when_possible(options.lcm_url, loop_limits(options));

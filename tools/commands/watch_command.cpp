@@ -20,19 +20,26 @@ using lcmtypes::NodeLoop;
 /// Pictures are made at most this often, however fast messages come.
 constexpr std::chrono::milliseconds kFlush{40};
 
+/// Of a file of decisions: while it grows a page asks every second, of a log once a track [bytes].
+constexpr std::int64_t kReadLive = 1'000'000, kReadOfLog = 100'000'000;
+
 void tell_address(const HttpAddress& address, const WatchServer& server, const std::string& what) {
   const bool is_ipv6 = address.host.find(':') != std::string::npos;
   const std::string host = is_ipv6 ? "[" + address.host + "]" : address.host;
   log_info("watch: " + what + " at http://" + host + ":" + std::to_string(server.port()) + "/");
 }
 
-WatchAnswers::Answer decisions_of(const Options& options) {
+/// @param longest_read of the file, for each answer [bytes].
+WatchAnswers::Answer decisions_of(const Options& options, std::int64_t longest_read) {
   if (options.decisions.empty()) return nullptr;
   if (!std::filesystem::is_regular_file(options.decisions))
     throw core::InputError(options.decisions +
                            ": is not a file; expected one of a tracker's --explain lines");
-  return [path = options.decisions](std::int64_t track) -> std::optional<std::string> {
-    return line_of(nlohmann::json(decision_lines(path, track)));
+  return [path = options.decisions, longest_read](std::int64_t track) -> std::optional<std::string> {
+    auto lines = nlohmann::json::array();
+    for (const auto& [time, text] : decision_lines(path, track, longest_read))
+      lines.push_back({{"time_s", time}, {"text", text}});
+    return line_of(lines);
   };
 }
 
@@ -60,9 +67,9 @@ int watch_live(const Options& options, const HttpAddress& address) {
   EventHub hub;
   lcmtypes::Bus bus(options.lcm_url);
   listen(bus, heard);
-  const WatchServer server(
-      address, hub,
-      {R"({"mode":"live"})", nullptr, [&hub](std::int64_t) { return *hub.trails(); }, decisions_of(options)});
+  const WatchServer server(address, hub,
+                           {R"({"mode":"live"})", nullptr, [&hub](std::int64_t) { return *hub.trails(); },
+                            decisions_of(options, kReadLive)});
   tell_address(address, server, "live");
   NodeLoop loop(bus, limits, [&] {
     changes.note(Topic::status);
@@ -89,7 +96,7 @@ int watch_log(const Options& options, const HttpAddress& address) {
       address, hub,
       {line_of(mode), [&frames](std::int64_t n) { return line_in_range(frames, n, &LogFrames::frame); },
        [&frames](std::int64_t n) { return line_in_range(frames, n, &LogFrames::trails); },
-       decisions_of(options)});
+       decisions_of(options, kReadOfLog)});
   if (frames.damages() > 0)
     log_warning("watch: " + std::to_string(frames.damages()) + " stretches of the log cannot be read");
   tell_address(address, server, std::to_string(frames.size()) + " frames of " + path);

@@ -13,6 +13,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.Map;
+import lookout.clutter_map_t;
 import lookout.motion_element_t;
 import lookout.motion_elements_t;
 import lookout.sonar_image_t;
@@ -24,7 +25,9 @@ import lookout.vehicle_state_t;
 /** The fan with its returns, which fade, and the tracks: shape and colour by status, number, velocity, ellipse, trail. */
 final class MapPanel extends LivePanel {
     static final Color[] STATUS_COLOURS = {new Color(0xf7dc6f), new Color(0x58d68d), new Color(0x85c1e9)};
-    private static final String[] CHANNELS = {"SONAR_SCAN", "SONAR_IMAGE", "GLOBAL_TRACKS", "TRACKS", "MOTION_ELEMENTS"};
+    static final Color CLUTTER = new Color(0xe67e22);
+    private static final String[] CHANNELS = {
+        "SONAR_SCAN", "SONAR_IMAGE", "GLOBAL_TRACKS", "TRACKS", "MOTION_ELEMENTS", "CLUTTER_MAP"};
     private static final double FADE_S = 8.0;
     private static final double TRAIL_S = 30.0;
     private static final int MAX_SCANS = 160;
@@ -32,6 +35,9 @@ final class MapPanel extends LivePanel {
     private static final int MAX_TRAILS = 600;
     private static final double CHI_SQUARE_95 = -2.0 * Math.log(0.05);  // Of two degrees of freedom.
     private static final double AHEAD_S = 10.0;  // Length of a velocity's line.
+    private static final double CLUTTER_VALID_S = 60.0;  // An older clutter map says nothing.
+    private static final double LEAST_DB = 6.0;  // Density of clutter where its colour begins,
+    private static final double MOST_DB = 25.0;  // and where it is full.
 
     private record Returns(long utime, double[] north, double[] east) {}
 
@@ -47,6 +53,7 @@ final class MapPanel extends LivePanel {
     private track_list_t tracks;
     private track_list_t globalTracks;
     private motion_elements_t elements;
+    private clutter_map_t clutter;
     private boolean bowUp;
     private double zoom = 1.0;
 
@@ -58,6 +65,7 @@ final class MapPanel extends LivePanel {
         listen(prefix + "TRACKS", bytes -> takeTracks(new track_list_t(bytes)));
         listen("GLOBAL_TRACKS", bytes -> globalTracks = new track_list_t(bytes));
         listen(prefix + "MOTION_ELEMENTS", bytes -> elements = new motion_elements_t(bytes));
+        listen(prefix + "CLUTTER_MAP", bytes -> clutter = new clutter_map_t(bytes));
         addMouseWheelListener(event -> {
             zoom = Math.min(50.0, Math.max(0.05, zoom * Math.pow(1.15, -event.getWheelRotation())));
             repaint();
@@ -172,6 +180,7 @@ final class MapPanel extends LivePanel {
     @Override
     void paintPicture(Graphics2D g) {
         paintFan(g);
+        paintClutter(g);
         paintReturns(g);
         paintElements(g);
         for (track_list_t list : new track_list_t[] {globalTracks, tracks}) {
@@ -209,6 +218,34 @@ final class MapPanel extends LivePanel {
         g.fill(fan);
         g.setColor(new Color(0x2d5573));
         g.draw(fan);
+    }
+
+    /** What the tracker has learnt of its clutter, where the sonar was then, while it holds. */
+    private void paintClutter(Graphics2D g) {
+        if (clutter == null || (tracks != null && Math.abs(tracks.utime - clutter.utime) > CLUTTER_VALID_S * 1e6)) {
+            return;
+        }
+        for (int i = 0; i < clutter.num_bearings; i++) {
+            for (int j = 0; j < clutter.num_ranges; j++) {
+                double share = Math.min(1.0, (clutter.density[i][j] - LEAST_DB + 1.0) / (MOST_DB - LEAST_DB));
+                if (share > 0.0) {
+                    g.setColor(new Color(CLUTTER.getRed(), CLUTTER.getGreen(), CLUTTER.getBlue(), (int) (40 + 150 * share)));
+                    g.fill(cellOf(clutter, i, j));
+                }
+            }
+        }
+    }
+
+    private Path2D cellOf(clutter_map_t map, int bearing, int range) {
+        double left = map.sonar_heading + map.first_bearing + bearing * map.bearing_step;
+        double near = range * map.range_step;
+        double far = near + map.range_step;
+        Path2D cell = new Path2D.Double();
+        for (double[] corner : new double[][] {{near, left}, {far, left}, {far, left + map.bearing_step}, {near, left + map.bearing_step}}) {
+            extend(cell, toScreen(map.sonar_north + corner[0] * Math.cos(corner[1]), map.sonar_east + corner[0] * Math.sin(corner[1])));
+        }
+        cell.closePath();
+        return cell;
     }
 
     private void paintReturns(Graphics2D g) {

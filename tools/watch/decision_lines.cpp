@@ -1,28 +1,42 @@
 #include "tools/watch/decision_lines.hpp"
 
+#include <charconv>
+#include <deque>
 #include <fstream>
 
 namespace lookout::tools {
 namespace {
 
-constexpr std::streamoff kLongestRead = 1'000'000;  // [bytes]
-constexpr std::size_t kMostLines = 30;
+constexpr std::size_t kMostLines = 200;
 constexpr std::size_t kLongestLine = 300;  // [characters]
+
+/// @param mark where " s track ID:" stands in it, behind the time.
+DecisionLine line_of(const std::string& line, std::size_t mark) {
+  const auto blank = line.find_last_of(' ', mark - 1);
+  const std::size_t begin = mark == 0 || blank == std::string::npos ? 0 : blank + 1;
+  DecisionLine decision;
+  decision.text = line.substr(begin, kLongestLine);
+  double time = 0.0;
+  const auto [end, error] = std::from_chars(line.data() + begin, line.data() + mark, time);
+  if (error == std::errc() && end == line.data() + mark) decision.time_s = time;
+  return decision;
+}
 
 }  // namespace
 
-std::vector<std::string> decision_lines(const std::string& path, std::int64_t track) {
+std::vector<DecisionLine> decision_lines(const std::string& path, std::int64_t track,
+                                         std::int64_t longest_read) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = file.tellg();
   if (!file || size < 0) return {};
-  file.seekg(size > kLongestRead ? size - kLongestRead : 0);
-  const std::string mark = " track " + std::to_string(track) + ":";
-  std::vector<std::string> lines;
+  file.seekg(size > longest_read ? size - longest_read : 0);
+  const std::string mark = " s track " + std::to_string(track) + ":";
+  std::deque<DecisionLine> lines;
   for (std::string line; std::getline(file, line);) {
-    if (line.find(mark) != std::string::npos) lines.push_back(line.substr(0, kLongestLine));
-    if (lines.size() > kMostLines) lines.erase(lines.begin());
+    if (const auto at = line.find(mark); at != std::string::npos) lines.push_back(line_of(line, at));
+    if (lines.size() > kMostLines) lines.pop_front();
   }
-  return lines;
+  return {lines.begin(), lines.end()};
 }
 
 }  // namespace lookout::tools

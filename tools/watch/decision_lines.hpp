@@ -1,13 +1,22 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 namespace lookout::tools {
 
+/// A line that a tracker's --explain wrote about a track.
+struct DecisionLine {
+  double time_s = std::numeric_limits<double>::quiet_NaN();  ///< Data time [s]; NaN where it cannot be read.
+  std::string text;                                          ///< From the time on, at most 300 characters.
+};
+
 /// The newest of the lines that a tracker's --explain wrote to `path` about one track, oldest first, at most
-/// 30; empty where the file cannot be read. Of a long file only the last megabyte is looked at.
-std::vector<std::string> decision_lines(const std::string& path, std::int64_t track);
+/// 200; empty where the file cannot be read.
+/// @param longest_read of a longer file only so much of its end is looked at [bytes].
+std::vector<DecisionLine> decision_lines(const std::string& path, std::int64_t track,
+                                         std::int64_t longest_read = 1'000'000);
 
 }  // namespace lookout::tools

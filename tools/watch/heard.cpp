@@ -7,8 +7,9 @@
 namespace lookout::tools {
 
 std::string_view topic_name(Topic topic) {
-  constexpr std::array<std::string_view, kNumTopics> kNames{
-      "vehicle", "scan", "image", "tracks", "global_tracks", "elements", "sensor", "truth", "ospa", "status"};
+  constexpr std::array<std::string_view, kNumTopics> kNames{"vehicle",       "scan",     "image",  "tracks",
+                                                            "global_tracks", "elements", "sensor", "clutter",
+                                                            "truth",         "ospa",     "status"};
   return kNames.at(static_cast<std::size_t>(topic));
 }
 
@@ -39,6 +40,7 @@ void Heard::listen(const lcmtypes::Channels& channels) {
   keep<track_list_t>(Topic::global_tracks, lcmtypes::Channels::kGlobalTracks, newest_.global_tracks);
   keep<motion_elements_t>(Topic::elements, channels.motion_elements(), newest_.elements);
   keep<sensor_estimate_t>(Topic::sensor, channels.sensor_estimate(), newest_.sensor);
+  keep<clutter_map_t>(Topic::clutter, channels.clutter_map(), newest_.clutter);
   keep<ground_truth_t>(Topic::truth, channels.ground_truth(), newest_.truth);
 }
 

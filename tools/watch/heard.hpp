@@ -21,8 +21,20 @@
 namespace lookout::tools {
 
 /// What is watched, each with a channel of its own.
-enum class Topic { vehicle, scan, image, tracks, global_tracks, elements, sensor, truth, ospa, status };
-inline constexpr std::size_t kNumTopics = 10;
+enum class Topic {
+  vehicle,
+  scan,
+  image,
+  tracks,
+  global_tracks,
+  elements,
+  sensor,
+  clutter,
+  truth,
+  ospa,
+  status
+};
+inline constexpr std::size_t kNumTopics = 11;
 
 /// "vehicle", "scan", ...
 std::string_view topic_name(Topic topic);
@@ -59,6 +71,7 @@ struct Newest {
   std::optional<lcmtypes::KeyedTracks> global_tracks;
   std::optional<lcmtypes::KeyedElements> elements;
   std::optional<lcmtypes::KeyedSensorEstimate> sensor;
+  std::optional<core::ClutterGrid> clutter;
   std::optional<core::GroundTruth> truth;
   std::optional<lcmtypes::OspaReport> ospa;
   std::map<NodeKey, HeardNode> nodes;  ///< At most Heard::kMaxNodes.

@@ -99,6 +99,18 @@ json to_json(const lcmtypes::KeyedSensorEstimate& keyed) {
   return out;
 }
 
+/// Densities by bearing, then range.
+json to_json(const core::ClutterGrid& grid) {
+  return {{"utime", grid.utime},
+          {"sensor_id", grid.sensor_id},
+          {"pose", to_json(grid.T_earth_sonar)},
+          {"first_bearing", rounded_angle(grid.first_bearing)},
+          {"bearing_step", grid.bearing_step},
+          {"range_step", rounded(grid.range_step)},
+          {"num_ranges", grid.num_ranges},
+          {"density", grid.density}};
+}
+
 json to_json(const core::GroundTruth& truth) {
   json targets = json::array();
   for (const auto& target : truth.targets)
@@ -263,6 +275,8 @@ json picture_of(const Heard& heard, Topic topic, Heard::Clock::time_point now) {
       return or_null(newest.elements);
     case Topic::sensor:
       return or_null(newest.sensor);
+    case Topic::clutter:
+      return or_null(newest.clutter);
     case Topic::truth:
       return or_null(newest.truth);
     case Topic::ospa:

@@ -35,6 +35,10 @@ class JointTracker : public Tracker {
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
   std::optional<core::SensorEstimate> sensor_estimate() const override { return state_.learning.estimate(); }
+  bool learns_clutter() const override { return params_.clutter.map.enabled; }
+  std::optional<core::ClutterGrid> clutter_grid() const override {
+    return state_.clutter.grid(state_.likelihood);
+  }
   void explain_to(const DecisionLog& log) override { state_.log = log; }
   std::int64_t next_id() const override { return state_.next_id(); }
   void set_next_id(std::int64_t id) override { state_.set_next_id(id); }

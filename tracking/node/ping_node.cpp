@@ -68,7 +68,17 @@ void PingNode::publish(const PingResult& ping) {
   waiting_.add(milliseconds_between(arrival_, handling_));
   working_.add(milliseconds_between(handling_, worked));
   sending_.add(milliseconds_between(worked, sent));
+  publish_clutter(ping);        // Behind the tracks, which do not wait for it.
   handling_ = arrival_ = sent;  // What else the message completed begins here.
+}
+
+/// A clock that went back begins anew.
+void PingNode::publish_clutter(const PingResult& ping) {
+  if (!params_.clutter_every || !ping.clutter_grid) return;
+  const std::int64_t every = core::microseconds(*params_.clutter_every);
+  if (clutter_utime_ && ping.utime >= *clutter_utime_ && ping.utime - *clutter_utime_ < every) return;
+  clutter_utime_ = ping.utime;
+  if (const auto grid = ping.clutter_grid()) bus_.publish(channels_.clutter_map(), lcmtypes::to_wire(*grid));
 }
 
 void PingNode::note(const std::string& line) {

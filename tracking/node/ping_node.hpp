@@ -21,6 +21,8 @@ struct TrackerNodeParams {
   std::string channel_prefix;      ///< Before the vehicle's channel names.
   std::int32_t node_id = 1;        ///< >= 1; 0 is for programs that track nothing.
   bool publish_estimates = false;  ///< Also LOCAL_ESTIMATE.
+  /// Also CLUTTER_MAP, at most so often in data time [s], > 0; nothing: never.
+  std::optional<double> clutter_every = std::nullopt;
   LocalEstimateSenderParams link;  ///< What carries them; with our node_id.
   /// Pings that may wait for the tracker; a newer one sheds the oldest. Nothing: kMaxWaiting on a link that
   /// does not wait for us, else no limit.
@@ -31,7 +33,8 @@ struct TrackerNodeParams {
 };
 
 /// What the nodes of scans and of images have in common, the publishing: MOTION_ELEMENTS, SENSOR_ESTIMATE,
-/// LOCAL_ESTIMATE within the link's rate, TRACKS, and LOOKOUT_STATUS with the latency from a ping's arrival.
+/// LOCAL_ESTIMATE within the link's rate, TRACKS, now and then CLUTTER_MAP, and LOOKOUT_STATUS with the
+/// latency from a ping's arrival.
 class PingNode {
  public:
   using Report = std::function<void(const std::string&)>;
@@ -59,6 +62,7 @@ class PingNode {
   std::string stages() const;
 
  private:
+  void publish_clutter(const PingResult& ping);
   void hear_status(std::span<const std::uint8_t> bytes);
 
   lcmtypes::Bus& bus_;
@@ -69,8 +73,9 @@ class PingNode {
   lcmtypes::StatusBoard status_;
   LocalEstimateSender sender_;
   NodeHealth health_;
-  double miss_probability_ = 0.0;  ///< The newest that was learnt; 0: none.
-  std::int64_t twins_ = 0;         ///< Statuses of another tracker under our name.
+  double miss_probability_ = 0.0;              ///< The newest that was learnt; 0: none.
+  std::optional<std::int64_t> clutter_utime_;  ///< Of the ping with the newest CLUTTER_MAP [us].
+  std::int64_t twins_ = 0;                     ///< Statuses of another tracker under our name.
   Clock::time_point arrival_, handling_;
   lcmtypes::LatencyWindow waiting_, working_, sending_;
 };

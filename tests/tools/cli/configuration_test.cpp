@@ -97,6 +97,20 @@ TEST(Configuration, ChoicesWithoutEffectAreRefused) {
   EXPECT_EQ(idle(images).find("--tracker: has no effect"), 0u);
 }
 
+TEST(Configuration, AClutterMapIsPublishedByTrackersThatLearnOne) {
+  Options options;
+  options.clutter_every = 5.0;
+  EXPECT_EQ(idle(options), "");
+  options.tracker = "gnn";
+  EXPECT_NE(idle(options).find("--publish-clutter: has no effect on tracker gnn"), std::string::npos);
+  options.tracker.clear();
+  options.estimator = "h_pmht";
+  EXPECT_EQ(idle(options).find("--publish-clutter: has no effect"), 0u);
+  options.estimator.clear();
+  options.clutter_every = 0.0;
+  EXPECT_NE(idle(options).find("got 0, expected seconds above 0"), std::string::npos);
+}
+
 TEST(Configuration, LagIsInMicrosecondsAndBounded) {
   Options options;
   options.lag = 2.5;

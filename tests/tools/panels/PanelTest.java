@@ -15,6 +15,7 @@ import lcm.lcm.LCM;
 import lcm.lcm.LCMEncodable;
 import lcm.spy.ChannelData;
 import lcm.spy.SpyPlugin;
+import lookout.clutter_map_t;
 import lookout.motion_elements_t;
 import lookout.node_status_t;
 import lookout.ospa_t;
@@ -49,6 +50,7 @@ public final class PanelTest {
         testNames();
         testMap();
         testMapOfImages();
+        testClutterMap();
         testImage();
         testOspa();
         testStatus();
@@ -201,6 +203,44 @@ public final class PanelTest {
         check(has(image, image.getWidth() / 2.0 + 20.0 * scale, image.getHeight() / 2.0 - 30.0 * scale, 2,
                 MapPanel.STATUS_COLOURS[1]), "without scans the images give the fan: 100 m ahead fill the panel");
         close();
+    }
+
+    /** A sonar that looked east from 50 m north had one dense cell, 40 to 60 m ahead; it stands where it was then. */
+    private static void testClutterMap() throws Exception {
+        LivePanel panel = open(new MapPlugin(), "CLUTTER_MAP", clutter_map_t.LCM_FINGERPRINT);
+        clutter_map_t map = new clutter_map_t();
+        map.sonar_north = 50.0;
+        map.sonar_heading = Math.PI / 2.0;
+        map.first_bearing = -0.3;
+        map.bearing_step = 0.2;
+        map.range_step = 20.0;
+        map.num_bearings = 3;
+        map.num_ranges = 5;
+        map.density = new byte[3][5];
+        map.density[1][1] = 40;
+        send("VEHICLE_STATE", vehicle(0.0));
+        send("SONAR_SCAN", scan());
+        send("CLUTTER_MAP", map);
+        BufferedImage image = look(panel, "clutter");
+        double scale = FILL * Math.min(image.getWidth(), image.getHeight()) / RANGE;
+        double x = image.getWidth() / 2.0;
+        double y = image.getHeight() / 2.0;
+        check(orange(image, x + 30.0 * scale, y), "a dense cell of the clutter map is where it must be");
+        check(!orange(image, x + 10.0 * scale, y) && !orange(image, x + 50.0 * scale, y), "and is no deeper");
+        check(!orange(image, x, y - 30.0 * scale), "nor where the sonar looks now");
+        send("TRACKS", late(track(1, 80.0, 20.0)));
+        check(!orange(look(panel, "clutter_old"), x + 30.0 * scale, y), "an old clutter map is not shown");
+        close();
+    }
+
+    private static track_list_t late(track_list_t list) {
+        list.utime = 100_000_000L;
+        return list;
+    }
+
+    private static boolean orange(BufferedImage image, double x, double y) {
+        Color at = new Color(image.getRGB((int) Math.round(x), (int) Math.round(y)));
+        return at.getRed() > 120 && at.getRed() > 2 * at.getBlue();
     }
 
     private static boolean bright(BufferedImage image, double x, double y) {

@@ -45,6 +45,17 @@ TEST(Heard, TellsWhatIsNewAndCountsWhatIsDamaged) {
   EXPECT_EQ(heard.channel(Topic::status).counts.handler_errors, 1);
 }
 
+TEST(Heard, KeepsTheNewestClutterMapWhichHasNoLosses) {
+  Heard heard("");
+  core::ClutterGrid grid = tests::example_clutter_grid();
+  say(heard, "CLUTTER_MAP", lcmtypes::to_wire(grid));
+  grid.utime += 60'000'000;
+  say(heard, "CLUTTER_MAP", lcmtypes::to_wire(grid));
+  ASSERT_TRUE(heard.newest().clutter);
+  EXPECT_EQ(heard.newest().clutter->utime, grid.utime);
+  EXPECT_EQ(heard.channel(Topic::clutter).counts.lost, 0);
+}
+
 TEST(Heard, KeepsNoMoreNodesThanItsBound) {
   Heard heard("");
   for (int id = 1; id < 100; ++id) {

@@ -57,6 +57,16 @@ TEST(PictureJson, OfAScanHasReturnsEdgesAndPose) {
   EXPECT_TRUE(to_json(Placed<core::SonarScan>{tests::example_scan(), std::nullopt})["pose"].is_null());
 }
 
+TEST(PictureJson, OfAClutterMapHasItsCellsAndPose) {
+  Heard heard("");
+  say(heard, "CLUTTER_MAP", lcmtypes::to_wire(tests::example_clutter_grid()));
+  const auto json = picture_of(heard, Topic::clutter, at_second(0.0));
+  EXPECT_EQ(json["density"], nlohmann::json({0, 1, 20, 30, 126, 127}));
+  EXPECT_EQ(json["num_ranges"], 2);
+  EXPECT_EQ(json["pose"], nlohmann::json({{"north", 1.5}, {"east", -2.5}, {"heading", 0.25}}));
+  EXPECT_EQ(json["bearing_step"], 0.5);
+}
+
 TEST(PictureJson, ReducesALargeImageToItsStrongestEchoes) {
   core::SonarImage image = tests::example_image();
   image.bearings = core::even_bearings(-0.5, 0.003, 2 * kMaxShownBeams);

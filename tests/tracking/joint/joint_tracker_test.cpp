@@ -72,6 +72,16 @@ TEST(JointTracker, FollowsThroughNoisyHeadingsThatItIsToldOf) {
   EXPECT_GT(told, followed_with_bad_headings(0.0) + 10);
 }
 
+// A rock 60 m ahead, heard at each scan: in cell 30 of 60 bearings and 20 of 50 ranges of 3 m.
+TEST(JointTracker, ShowsWhatItHasLearntOfTheClutter) {
+  ScanPipeline tracker = joint_pipeline(known_sonar(0.1, 0.1), 1);
+  std::optional<core::ClutterGrid> grid;
+  for (int k = 0; k < 80; ++k) grid = tracker.step(scan_of(k, {{60.2, 0.5}})).clutter_grid();
+  ASSERT_TRUE(grid);
+  EXPECT_GE(grid->density[30 * 50 + 20], 10);
+  EXPECT_EQ(grid->density[10 * 50 + 20], 0);
+}
+
 TEST(JointTracker, AnEmptySeaHasNoTracks) {
   ScanPipeline tracker = joint_pipeline(known_sonar(0.1, 0.1), 1);
   std::span<const core::Track> tracks;

@@ -36,6 +36,36 @@ TEST(PingNode, TracksComeLastAndEstimatesWithinTheLinksRate) {
   EXPECT_EQ(output.link().messages_sent(), 1);
 }
 
+// Asked for every second of data, at two pings a second: the first of each second, behind its tracks.
+TEST(PingNode, PublishesTheClutterMapNowAndThenBehindTheTracks) {
+  lcmtypes::Bus bus("memq://");
+  TrackerNodeParams params;
+  params.clutter_every = 1.0;
+  PingNode output(bus, params, [](const std::string&) {});
+  std::vector<std::string> heard;
+  bus.subscribe<track_list_t>("TRACKS", [&](const auto&) { heard.push_back("tracks"); });
+  bus.subscribe<clutter_map_t>("CLUTTER_MAP", [&](const core::ClutterGrid& grid) {
+    heard.push_back("clutter of " + std::to_string(grid.sensor_id));
+  });
+  PingResult result;
+  result.clutter_grid = [] { return core::ClutterGrid{0, 9, {}, -0.5, 0.1, 1.0, 1, 1, {20}}; };
+  for (const std::int64_t utime : {0, 500'000, 1'000'000, 400'000}) {  // The last is of a new clock.
+    result.utime = utime;
+    output.publish(result);
+  }
+  bus.drain();
+  EXPECT_EQ(heard, (std::vector<std::string>{"tracks", "clutter of 9", "tracks", "tracks", "clutter of 9",
+                                             "tracks", "clutter of 9"}));
+}
+
+TEST(PingNode, PublishesNoClutterMapUnasked) {
+  lcmtypes::Bus bus("memq://");
+  PingNode output(bus, {}, [](const std::string&) {});
+  PingResult result;
+  result.clutter_grid = []() -> std::optional<core::ClutterGrid> { throw std::logic_error("asked for"); };
+  output.publish(result);
+}
+
 TEST(PingNode, TellsAPersonWhatItNotes) {
   lcmtypes::Bus bus("memq://");
   std::vector<std::string> lines;

@@ -3,9 +3,12 @@
 
 const STATUS_COLOURS = {confirmed: "#58d68d", tentative: "#f7dc6f", coasting: "#85c1e9"};
 const FADE_S = 8;         // Returns older than that are gone [s of data time].
-const MAX_SCANS = 160;    // Of them kept, whatever their rate.
+const MAX_SCANS = 160;    // Of them kept, whatever their rate,
+const MAX_RETURNS = 20000;   // and whatever they hold: as many as a phone draws 20 times a second.
 const CLUTTER_BEAMS = 45, CLUTTER_BINS = 40;
 const CLUTTER_MEMORY_S = 60;
+const LEARNT_VALID_S = 60;        // A clutter map of the tracker that is older says nothing [s of data time].
+const LEARNT_LEAST_DB = 6, LEARNT_MOST_DB = 25;   // Density over the background's where colour begins and is full.
 
 class SonarMap {
   constructor(canvas) {
@@ -15,7 +18,7 @@ class SonarMap {
     this.centre = {north: 0, east: 0};
     this.follow = true;
     this.bowUp = false;
-    this.showClutter = false;
+    this.showClutter = null;   // Null: as soon as a tracker publishes what it has learnt.
     this.showTruth = true;
     this.showTentative = true;
     this.forget();
@@ -40,7 +43,10 @@ class SonarMap {
       points.push(pose.north + range * Math.cos(angle), pose.east + range * Math.sin(angle));
     }
     this.scans.push({utime: scan.utime, points});
-    while (this.scans.length > MAX_SCANS || scan.utime - this.scans[0].utime > FADE_S * 1e6) this.scans.shift();
+    let returns = this.scans.reduce((sum, one) => sum + one.points.length / 2, 0);
+    while (this.scans.length > MAX_SCANS || scan.utime - this.scans[0].utime > FADE_S * 1e6
+           || (returns > MAX_RETURNS && this.scans.length > 1))
+      returns -= this.scans.shift().points.length / 2;
     this.learnClutter(scan);
     if (!this.framed) this.frame();
   }
@@ -116,7 +122,7 @@ class SonarMap {
     const context = this.context;
     context.clearRect(0, 0, this.width, this.height);
     this.drawFan();
-    if (this.showClutter) this.drawClutter();
+    if (this.clutterShown(picture)) this.drawClutter(picture);
     this.drawReturns();
     if (this.showTruth && picture.truth) this.drawTruth(picture.truth.targets);
     if (picture.elements) this.drawElements(picture.elements.elements);
@@ -157,7 +163,34 @@ class SonarMap {
     this.context.stroke();
   }
 
-  drawClutter() {
+  // What the tracker has learnt, while it holds.
+  learntClutter(picture) {
+    const map = picture.clutter, now = picture.tracks || picture.scan;
+    return map && (!now || Math.abs(now.utime - map.utime) < LEARNT_VALID_S * 1e6) ? map : null;
+  }
+
+  clutterShown(picture) {
+    return this.showClutter === null ? this.learntClutter(picture) !== null : this.showClutter;
+  }
+
+  drawClutter(picture) {
+    const learnt = this.learntClutter(picture);
+    if (learnt) this.drawLearntClutter(learnt); else this.drawCountedClutter();
+  }
+
+  // Its cells where the sonar was then: rocks stay where they are.
+  drawLearntClutter(map) {
+    for (let k = 0; k < map.density.length; k++) {
+      const share = Math.min(1, (map.density[k] - LEARNT_LEAST_DB + 1) / (LEARNT_MOST_DB - LEARNT_LEAST_DB));
+      if (share <= 0) continue;
+      const left = map.first_bearing + Math.floor(k / map.num_ranges) * map.bearing_step, near = k % map.num_ranges * map.range_step;
+      this.path(this.sector(map.pose, left, left + map.bearing_step, near, near + map.range_step, 1));
+      this.context.fillStyle = `rgba(230,126,34,${(0.15 + 0.6 * share).toFixed(3)})`;
+      this.context.fill();
+    }
+  }
+
+  drawCountedClutter() {
     const pose = this.fan && this.fan.pose;
     const largest = this.clutter.reduce((a, b) => Math.max(a, b), 0);
     if (!pose || largest <= 0) return;

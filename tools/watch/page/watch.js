@@ -3,8 +3,10 @@
 // nothing that is clicked here reaches the vehicle.
 
 const TRAIL_S = 30;
-const LIVE_TOPICS = ["vehicle", "scan", "image", "tracks", "global_tracks", "elements", "sensor", "truth", "ospa", "status"];
+const LIVE_TOPICS = ["vehicle", "scan", "image", "tracks", "global_tracks", "elements", "sensor", "clutter", "truth", "ospa", "status"];
 const FRAMES_A_SECOND = 10;   // While a log plays, at most.
+const DECISIONS_MS = 1000;    // Between two looks at what was decided about the chosen track.
+const HALF_A_MILLISECOND = 0.0005;   // To which the times of decisions are rounded [s].
 const STALE_MS = 5000;        // Without a word from the server.
 const MAX_OSPA = 300;
 
@@ -14,6 +16,7 @@ const picture = {};           // The newest of each topic.
 const trails = new Map();     // Of each track: [time, north, east, existence].
 const ospaHistory = [];
 const state = {mode: "live", paused: false, chosen: null, frames: 0, frame: 0, playing: false, heard: 0, events: 0, drawn: 0};
+const decisions = {lines: [], without: false};   // About the chosen track; without a file of them there are none.
 let dirty = true;
 window.lookout = {picture, trails, state, map};
 
@@ -174,6 +177,13 @@ function showHealth() {
   complaints.forEach((line, i) => { list.children[i].textContent = line; });
 }
 
+function showClutterButton() {
+  const learnt = map.learntClutter(picture);
+  $("clutter").classList.toggle("on", map.clutterShown(picture));
+  $("clutter").title = learnt ? `where false returns are dense, as the tracker has learnt by ${number(learnt.utime * 1e-6, 1)} s`
+    : "where returns came from in the last minute, counted by this page";
+}
+
 function showClock() {
   const newest = picture.tracks || picture.scan || picture.image || picture.vehicle;
   text("clock", newest ? `t = ${number(newest.utime * 1e-6, 2)} s${state.paused ? " (paused)" : ""}` : "");
@@ -184,6 +194,7 @@ function showChosen() {
   section.hidden = state.chosen === null;
   if (state.chosen === null) return;
   const track = allTracks().find((one) => one.id === state.chosen);
+  showDecisions();
   text("chosen-title", `Track ${state.chosen}: ${track ? track.status : "gone"}`);
   if (!trail || !trail.length) return text("history-text", "no history in the last 30 s");
   chart($("history"), [{colour: "#58d68d", points: trail.map((point) => [point[0], point[3]])}], 1);
@@ -198,7 +209,7 @@ function draw() {
   if (dirty) {
     dirty = false;
     map.draw(picture, trails, state.chosen);
-    showTracks(); showSensor(); showOspa(); showStatus(); showHealth(); showChosen(); showClock();
+    showTracks(); showSensor(); showOspa(); showStatus(); showHealth(); showChosen(); showClock(); showClutterButton();
     state.drawn++;
   }
   requestAnimationFrame(draw);
@@ -209,12 +220,32 @@ function draw() {
 function choose(id) {
   state.chosen = id;
   dirty = true;
-  $("decisions").replaceChildren();
-  if (id === null) return;
-  fetch(`decisions?n=${id}`).then((answer) => answer.ok ? answer.json() : []).then((lines) => {
-    if (state.chosen !== id) return;
-    $("decisions").replaceChildren(...lines.map((line) => Object.assign(document.createElement("li"), {textContent: line})));
-  }).catch(() => {});
+  decisions.lines = [];
+  askDecisions();
+}
+
+// What the tracker decided about the chosen track, newest first, up to the time that is shown.
+async function askDecisions() {
+  const id = state.chosen;
+  if (id === null || decisions.without) return;
+  try {
+    const answer = await fetch(`decisions?n=${id}`);
+    decisions.without = answer.status === 404;   // No file of them was named.
+    const lines = answer.ok ? await answer.json() : [];
+    if (state.chosen === id) decisions.lines = lines;
+    dirty = true;
+  } catch (error) {
+    // The light says that there is no connection.
+  }
+}
+
+function showDecisions() {
+  const until = state.mode === "log" || state.paused ? newestUtime() * 1e-6 + HALF_A_MILLISECOND : Infinity;
+  const shown = decisions.lines.filter((line) => !(line.time_s > until)).reverse();
+  const list = $("decisions");
+  while (list.children.length > shown.length) list.lastChild.remove();
+  while (list.children.length < shown.length) list.append(document.createElement("li"));
+  shown.forEach((line, i) => { if (list.children[i].textContent !== line.text) list.children[i].textContent = line.text; });
 }
 
 function toggle(id, change) {
@@ -222,7 +253,7 @@ function toggle(id, change) {
 }
 toggle("orient", () => map.bowUp = !map.bowUp);
 toggle("follow", () => map.follow = !map.follow);
-toggle("clutter", () => map.showClutter = !map.showClutter);
+toggle("clutter", () => map.showClutter = !map.clutterShown(picture));
 toggle("tentative", () => map.showTentative = !map.showTentative);
 toggle("truth", () => map.showTruth = !map.showTruth);
 
@@ -370,5 +401,6 @@ async function start() {
 }
 
 setInterval(showHealth, 500);
+setInterval(() => { if (state.mode === "live" && !state.paused) askDecisions(); }, DECISIONS_MS);
 requestAnimationFrame(draw);
 start();
