@@ -10,6 +10,7 @@
 #include "tracking/baselines/gnn_tracker.hpp"
 #include "tracking/baselines/jipda/jipda_tracker.hpp"
 #include "tracking/baselines/kalman_tracker.hpp"
+#include "tracking/baselines/pmbm/pmbm_tracker.hpp"
 #include "tracking/csht_tracker.hpp"
 #include "tracking/initiation/initiator_birth.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
@@ -111,6 +112,15 @@ std::unique_ptr<Tracker> make_jipda(const TrackerParams& params, const core::Son
   return std::make_unique<JipdaTracker>(jipda, sonar);
 }
 
+std::unique_ptr<Tracker> make_pmbm(const TrackerParams& params, const core::SonarParams& sonar,
+                                   std::uint64_t /*seed*/) {
+  refuse_initiator(params, "pmbm");
+  PmbmParams pmbm;
+  pmbm.existence.coast_s = params.coast_s;
+  set_own(params, "pmbm", pmbm);
+  return std::make_unique<PmbmTracker>(pmbm, sonar);
+}
+
 /// One line a tracker; those from outside follow.
 std::vector<Entry>& registry() {
   static std::vector<Entry> entries{
@@ -119,6 +129,7 @@ std::vector<Entry>& registry() {
       {"kalman", "", &make_kalman, &listed<KalmanParams>},
       {"gnn", "", &make_gnn, &listed<GnnParams>},
       {"jipda", "", &make_jipda, &listed<JipdaParams>},
+      {"pmbm", "", &make_pmbm, &listed<PmbmParams>},
   };
   return entries;
 }

@@ -51,7 +51,7 @@ void BernoulliUpdate::weigh(std::span<const BernoulliTrack> tracks, const RivalS
   missed_.clear();
   pairs_.clear();
   for (std::size_t i = 0; i < tracks.size(); ++i) {
-    miss_ratio_.push_back(scene.view().miss_ratio(tracks[i].target, tracks[i].spread, tracks[i].existence));
+    miss_ratio_.push_back(scene.view().miss_ratio(tracks[i].spread, {tracks[i].target, tracks[i].existence}));
     missed_.push_back(1.0 - tracks[i].existence + tracks[i].existence * miss_ratio_[i]);
     for (std::size_t j = 0; j < returns.size(); ++j) {
       const double ratio = scene.view().return_ratio(tracks[i].target, returns[j]);

@@ -119,23 +119,21 @@ void ScanView::clear_claims() {
   claimed_.assign(static_cast<std::size_t>(sonar_.num_beams), 0.0);
 }
 
-double ScanView::claim_of(std::size_t beam, const GaussianTarget& target, double existence) const {
+double ScanView::odds_of(std::size_t beam, const BeamClaim& claim) const {
   double sum = 0.0;
   for (int j = first_return_[beam]; j >= 0; j = next_return_[static_cast<std::size_t>(j)])
-    sum += existence * return_ratio(target, returns_[static_cast<std::size_t>(j)]);
+    sum += claim.existence * return_ratio(claim.target, returns_[static_cast<std::size_t>(j)]);
   return sum;
 }
 
-void ScanView::claim(const GaussianTarget& target, const BeamSpread& spread, double existence) {
-  for_each_beam(spread, [&](std::size_t beam, double /*share*/) {
-    claimed_[beam] += claim_of(beam, target, existence);
-  });
+void ScanView::claim(const BeamSpread& spread, const BeamClaim& claim) {
+  for_each_beam(spread, [&](std::size_t beam, double /*share*/) { claimed_[beam] += odds_of(beam, claim); });
 }
 
-double ScanView::miss_ratio(const GaussianTarget& target, const BeamSpread& spread, double existence) const {
+double ScanView::miss_ratio(const BeamSpread& spread, const BeamClaim& own) const {
   double change = 0.0;
   for_each_beam(spread, [&](std::size_t beam, double share) {
-    const double others = std::max(0.0, claimed_[beam] - claim_of(beam, target, existence));
+    const double others = std::max(0.0, claimed_[beam] - odds_of(beam, own));
     change += share * (1.0 - beam_ratio(beam, others / (1.0 + others)));
   });
   return std::max(kLeastShare, 1.0 - spread.in_range * change);

@@ -43,6 +43,12 @@ struct BeamSpread {
   double in_range = 0.0;  ///< Probability that its range is within the sensor's.
 };
 
+/// A target that may have made returns of the scan.
+struct BeamClaim {
+  const GaussianTarget& target;  ///< Predicted to the scan.
+  double existence = 0.0;        ///< Probability that it exists.
+};
+
 /// A scan as the rivals' measurement model: returns as positions with covariance, the density of false
 /// returns, and what a silence or a foreign return says of a target.
 class ScanView {
@@ -64,12 +70,12 @@ class ScanView {
   /// Forgets which returns targets claim.
   void clear_claims();
   /// A target that exists with this probability claims the returns that may be its own.
-  void claim(const GaussianTarget& target, const BeamSpread& spread, double existence);
+  void claim(const BeamSpread& spread, const BeamClaim& claim);
 
   /// Likelihood ratio "target, none of these returns its own" against "no target". A return that another
   /// target may have made does not speak against this one: of two targets in a beam one is heard.
-  /// @param existence the target's own claim, which is taken off; 0 where it made none.
-  double miss_ratio(const GaussianTarget& target, const BeamSpread& spread, double existence) const;
+  /// @param own the claim that was made for this target, which is taken off.
+  double miss_ratio(const BeamSpread& spread, const BeamClaim& own) const;
   /// Likelihood ratio "target, this return its own" against "no target, false return"; 0 beyond the gate.
   double return_ratio(const GaussianTarget& target, const ViewedReturn& seen) const;
 
@@ -77,7 +83,7 @@ class ScanView {
   template <typename Visit>
   void for_each_beam(const BeamSpread& spread, const Visit& visit) const;
   int beam_at(int index) const;
-  double claim_of(std::size_t beam, const GaussianTarget& target, double existence) const;
+  double odds_of(std::size_t beam, const BeamClaim& claim) const;
   double beam_ratio(std::size_t beam, double owned_by_others) const;
 
   ScanViewParams params_;

@@ -1,7 +1,6 @@
 #include "tracking/baselines/gaussian/twins.hpp"
 
 #include <Eigen/LU>
-#include <algorithm>
 
 namespace lookout::tracking {
 namespace {
@@ -20,7 +19,7 @@ bool are_twins(const BernoulliTrack& a, const BernoulliTrack& b, double distance
 
 }  // namespace
 
-void drop_twins(std::vector<BernoulliTrack>& tracks, double distance) {
+std::vector<char> find_twins(std::span<const BernoulliTrack> tracks, double distance) {
   std::vector<char> dropped(tracks.size(), 0);
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     if (dropped[i] || tracks[i].existence < kLeastExistence) continue;
@@ -30,6 +29,11 @@ void drop_twins(std::vector<BernoulliTrack>& tracks, double distance) {
       if (k != i && !dropped[k] && lesser && are_twins(tracks[i], tracks[k], distance)) dropped[k] = 1;
     }
   }
+  return dropped;
+}
+
+void drop_twins(std::vector<BernoulliTrack>& tracks, double distance) {
+  const std::vector<char> dropped = find_twins(tracks, distance);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < tracks.size(); ++i)
     if (!dropped[i]) tracks[kept++] = tracks[i];

@@ -36,7 +36,7 @@ void JipdaTracker::predict() {
     motion_.predict(track.target, scene_.seconds());
     track.existence *= scene_.survival();
     track.spread = scene_.view().spread_of(track.target);
-    scene_.view().claim(track.target, track.spread, track.existence);
+    scene_.view().claim(track.spread, {track.target, track.existence});
   }
 }
 

@@ -29,7 +29,7 @@ TEST(BernoulliUpdate, ASilentScanIsTheMarkovChainsBayes) {
   RivalScene scene({}, {}, known_sonar());
   scene.look(scan_of(0, {}));
   std::vector<BernoulliTrack> tracks{track_at(60.0, 0.0, 0.5, scene.view())};
-  const double miss = scene.view().miss_ratio(tracks[0].target, tracks[0].spread, 0.5);
+  const double miss = scene.view().miss_ratio(tracks[0].spread, {tracks[0].target, 0.5});
   BernoulliUpdate(kMany).update(tracks, scene, {});
   EXPECT_NEAR(tracks[0].existence, 0.5 * miss / (0.5 + 0.5 * miss), 1e-12);
   EXPECT_EQ(tracks[0].detected, 0.0);
@@ -40,7 +40,7 @@ TEST(BernoulliUpdate, OneReturnOneTrackByHand) {
   scene.look(scan_of(0, {{61.0, 0.0}}));
   const auto& seen = scene.view().returns()[0];
   std::vector<BernoulliTrack> tracks{track_at(60.0, 0.0, 0.1, scene.view())};
-  const double miss = scene.view().miss_ratio(tracks[0].target, tracks[0].spread, 0.1);
+  const double miss = scene.view().miss_ratio(tracks[0].spread, {tracks[0].target, 0.1});
   const double own = scene.view().return_ratio(tracks[0].target, seen) / (1.0 + scene.birth_ratio(seen));
   const std::vector<double> free{1.0};
   BernoulliUpdate update(kMany);

@@ -56,13 +56,13 @@ TEST(ScanView, ASilentBeamAndAForeignReturn) {
   params.hidden = 0.01;
   const auto view = look(scan_of(0, {in_beam(40, 120.0)}), known_sonar(), params);
   const GaussianTarget silent = target_at(in_beam(50, 60.0).x(), in_beam(50, 60.0).y());
-  EXPECT_NEAR(view.miss_ratio(silent, view.spread_of(silent), 0.0), 0.99 * kMiss / (1.0 - kFalse) + 0.01,
+  EXPECT_NEAR(view.miss_ratio(view.spread_of(silent), {silent, 0.0}), 0.99 * kMiss / (1.0 - kFalse) + 0.01,
               1e-6);
   const GaussianTarget foreign = target_at(in_beam(40, 60.0).x(), in_beam(40, 60.0).y());
-  EXPECT_NEAR(view.miss_ratio(foreign, view.spread_of(foreign), 0.0), 0.01, 1e-6);
+  EXPECT_NEAR(view.miss_ratio(view.spread_of(foreign), {foreign, 0.0}), 0.01, 1e-6);
   params.beam_evidence = false;
   const auto plain = look(scan_of(0, {in_beam(40, 120.0)}), known_sonar(), params);
-  EXPECT_NEAR(plain.miss_ratio(foreign, plain.spread_of(foreign), 0.0), 0.99 * kMiss + 0.01, 1e-6);
+  EXPECT_NEAR(plain.miss_ratio(plain.spread_of(foreign), {foreign, 0.0}), 0.99 * kMiss + 0.01, 1e-6);
 }
 
 TEST(ScanView, OnClutterTheRatiosAverageOne) {
@@ -72,7 +72,7 @@ TEST(ScanView, OnClutterTheRatiosAverageOne) {
   const ScanViewParams params;
   const GaussianTarget target = target_at(in_beam(45, 75.0).x(), in_beam(45, 75.0).y(), 4.0);
   const auto silent = look(scan_of(0, {}), known_sonar(), params);
-  double mean = (1.0 - kFalse) * silent.miss_ratio(target, silent.spread_of(target), 0.0);
+  double mean = (1.0 - kFalse) * silent.miss_ratio(silent.spread_of(target), {target, 0.0});
   const auto all = core::SonarParams{}.num_beams;
   for (int beam = 0; beam < all; ++beam) {
     for (double range = 0.5; range < 150.0; range += 1.0) {
@@ -90,17 +90,17 @@ TEST(ScanView, AnotherTargetsReturnDoesNotSpeakAgainstIt) {
   auto view = look(scan_of(0, {in_beam(40, 120.0)}), known_sonar(), params);
   const GaussianTarget near = target_at(in_beam(40, 60.0).x(), in_beam(40, 60.0).y());
   const GaussianTarget far = target_at(in_beam(40, 120.0).x(), in_beam(40, 120.0).y());
-  view.claim(far, view.spread_of(far), 1.0);
-  EXPECT_GT(view.miss_ratio(near, view.spread_of(near), 1.0), 0.9 * params.shadowed);
+  view.claim(view.spread_of(far), {far, 1.0});
+  EXPECT_GT(view.miss_ratio(view.spread_of(near), {near, 1.0}), 0.9 * params.shadowed);
   // Its own claim is taken off.
-  EXPECT_NEAR(view.miss_ratio(far, view.spread_of(far), 1.0), params.hidden, 1e-6);
+  EXPECT_NEAR(view.miss_ratio(view.spread_of(far), {far, 1.0}), params.hidden, 1e-6);
 }
 
 TEST(ScanView, OutsideTheFieldNothingIsLearnt) {
   const auto view = look(scan_of(0, {}));
   const GaussianTarget behind = target_at(-50.0, 0.0), beyond = target_at(400.0, 0.0);
-  EXPECT_NEAR(view.miss_ratio(behind, view.spread_of(behind), 0.0), 1.0, 1e-9);
-  EXPECT_NEAR(view.miss_ratio(beyond, view.spread_of(beyond), 0.0), 1.0, 1e-9);
+  EXPECT_NEAR(view.miss_ratio(view.spread_of(behind), {behind, 0.0}), 1.0, 1e-9);
+  EXPECT_NEAR(view.miss_ratio(view.spread_of(beyond), {beyond, 0.0}), 1.0, 1e-9);
   EXPECT_NEAR(view.in_view(view.spread_of(behind)), 0.0, 1e-9);
   const GaussianTarget inside = target_at(50.0, 0.0);
   EXPECT_NEAR(view.in_view(view.spread_of(inside)), 1.0, 1e-9);

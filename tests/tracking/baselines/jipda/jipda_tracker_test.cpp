@@ -5,36 +5,10 @@
 #include <set>
 #include <stdexcept>
 
-#include "core/random.hpp"
-#include "tests/support/sonar_scene.hpp"
+#include "tests/tracking/baselines/rival_scans.hpp"
 
 namespace lookout::tracking {
 namespace {
-
-core::SonarParams known_sonar(double miss, double false_alarm) {
-  core::SonarParams sonar;
-  sonar.miss_probability = miss;
-  sonar.false_alarm_probability = false_alarm;
-  return sonar;
-}
-
-std::vector<core::Track> confirmed(std::span<const core::Track> tracks) {
-  std::vector<core::Track> result;
-  for (const auto& track : tracks)
-    if (track.status != core::TrackStatus::tentative) result.push_back(track);
-  return result;
-}
-
-/// Scan k of these targets, each seen with 1 - P_M, among false alarms.
-core::PosedScan cluttered(int k, const std::vector<Eigen::Vector2d>& targets, double miss,
-                          core::Random& random) {
-  std::vector<Eigen::Vector2d> seen;
-  for (const auto& target : targets)
-    if (!random.bernoulli(miss)) seen.push_back(target);
-  for (int left = random.poisson(8.0); left > 0; --left)
-    seen.push_back(core::from_polar(random.uniform(1.0, 150.0), core::radians(random.uniform(-44.0, 44.0))));
-  return scan_of(k, seen);
-}
 
 TEST(JipdaTracker, FollowsATargetThroughClutterAndMisses) {
   JipdaTracker tracker({}, known_sonar(0.3, 0.1));
@@ -58,19 +32,7 @@ TEST(JipdaTracker, ClutterAloneConfirmsNothing) {
 
 TEST(JipdaTracker, CrossingTargetsKeepTheirIdentities) {
   JipdaTracker tracker({}, known_sonar(0.1, 0.05));
-  std::vector<core::Track> before, after;
-  for (int k = 0; k < 80; ++k) {
-    const double east = -20.0 + 0.5 * k;
-    const auto tracks = tracker.update(scan_of(k, {{60.0 + 0.3 * k, east}, {84.0 - 0.3 * k, east}}), {});
-    if (k == 25) before = confirmed(tracks);
-    after = confirmed(tracks);
-  }
-  ASSERT_EQ(before.size(), 2U);
-  ASSERT_EQ(after.size(), 2U);
-  for (std::size_t i = 0; i < 2; ++i) {
-    EXPECT_EQ(before[i].id, after[i].id);
-    EXPECT_GT(before[i].state(2) * after[i].state(2), 0.0);  // each goes on in its direction
-  }
+  EXPECT_TRUE(crossing_targets_keep_their_identities(tracker));
 }
 
 TEST(JipdaTracker, ALostTargetEnds) {
