@@ -7,6 +7,7 @@
 
 #include "core/files/yaml_reader.hpp"
 #include "csht/estimator_registry.hpp"
+#include "tracking/baselines/gm_phd/gm_phd_tracker.hpp"
 #include "tracking/baselines/gnn_tracker.hpp"
 #include "tracking/baselines/jipda/jipda_tracker.hpp"
 #include "tracking/baselines/kalman_tracker.hpp"
@@ -112,6 +113,15 @@ std::unique_ptr<Tracker> make_jipda(const TrackerParams& params, const core::Son
   return std::make_unique<JipdaTracker>(jipda, sonar);
 }
 
+std::unique_ptr<Tracker> make_gm_phd(const TrackerParams& params, const core::SonarParams& sonar,
+                                     std::uint64_t /*seed*/) {
+  refuse_initiator(params, "gm_phd");
+  GmPhdParams gm_phd;
+  gm_phd.existence.coast_s = params.coast_s;
+  set_own(params, "gm_phd", gm_phd);
+  return std::make_unique<GmPhdTracker>(gm_phd, sonar);
+}
+
 std::unique_ptr<Tracker> make_pmbm(const TrackerParams& params, const core::SonarParams& sonar,
                                    std::uint64_t /*seed*/) {
   refuse_initiator(params, "pmbm");
@@ -129,6 +139,7 @@ std::vector<Entry>& registry() {
       {"kalman", "", &make_kalman, &listed<KalmanParams>},
       {"gnn", "", &make_gnn, &listed<GnnParams>},
       {"jipda", "", &make_jipda, &listed<JipdaParams>},
+      {"gm_phd", "", &make_gm_phd, &listed<GmPhdParams>},
       {"pmbm", "", &make_pmbm, &listed<PmbmParams>},
   };
   return entries;

@@ -63,7 +63,7 @@ std::vector<std::string> methods() {
 
 /// Trackers that use the sensor's probabilities, or estimate them where they are not told.
 bool uses_figures(const std::string& method) {
-  return method == "joint" || method == "jipda" || method == "pmbm";
+  return method == "joint" || method == "jipda" || method == "gm_phd" || method == "pmbm";
 }
 
 /// The longer window serves high miss rates; the diagonal of the table shows its effect at the others.

@@ -9,7 +9,7 @@ namespace lookout::tracking {
 /// From which probability of existence a track is confirmed and below which it ends.
 struct ExistenceParams {
   double confirm = 0.5;   ///< Existence that confirms a track, in (0, 1).
-  double end = 0.05;      ///< Existence below which a confirmed track ends, > 0 and below `confirm`.
+  double end = 0.01;      ///< Existence below which a confirmed track ends, > 0 and below `confirm`.
   double forget = 1e-5;   ///< Existence below which a tentative one is forgotten, > 0 and below `confirm`.
   double coast_s = 10.0;  ///< How long a confirmed track is kept outside the field of view [s], >= 0.
 

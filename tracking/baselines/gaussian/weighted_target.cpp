@@ -9,26 +9,52 @@
 namespace lookout::tracking {
 namespace {
 
-/// Squared distance of a component from a heavier one, in the covariance of the lighter one.
-bool is_close(const WeightedTarget& heavy, const WeightedTarget& light, double distance) {
-  if (heavy.label != light.label) return false;
-  const Eigen::Matrix4d covariance = light.target.covariance();
-  const Eigen::Vector4d offset = light.target.mean() - heavy.target.mean();
-  // A part of the state is never farther than the whole.
-  if (offset.head<2>().squaredNorm() > distance * covariance.topLeftCorner<2, 2>().trace()) return false;
-  return offset.dot(covariance.inverse() * offset) < distance;
+/// A component summed over its models, once for all comparisons.
+struct Summary {
+  Eigen::Vector4d mean;
+  Eigen::Matrix4d inverse;  // Of the covariance.
+  double position_variance = 0.0;
+  std::int64_t label = 0;
+};
+
+std::vector<Summary> summaries_of(const std::vector<WeightedTarget>& mixture) {
+  std::vector<Summary> result;
+  for (const auto& component : mixture) {
+    const Eigen::Matrix4d covariance = component.target.covariance();
+    result.push_back({component.target.mean(), covariance.inverse(), covariance.topLeftCorner<2, 2>().trace(),
+                      component.label});
+  }
+  return result;
 }
 
-/// The heaviest component left, with all that are close to it; `mixture` is in falling order of weight.
-WeightedTarget merge_from(std::size_t first, const std::vector<WeightedTarget>& mixture, double distance,
-                          std::vector<char>& used) {
-  TargetMixture sum(mixture[first].target);
-  for (std::size_t i = first; i < mixture.size(); ++i) {
-    if (used[i] || (i != first && !is_close(mixture[first], mixture[i], distance))) continue;
-    used[i] = 1;
-    sum.add(mixture[i].weight, mixture[i].target);
+/// Whether a component is close to a heavier one, by its own covariance.
+bool is_close(const Summary& heavy, const Summary& light, const ReductionParams& params) {
+  if (!params.across_labels && heavy.label != light.label) return false;
+  const Eigen::Vector4d offset = light.mean - heavy.mean;
+  // A part of the state is never farther than the whole.
+  if (offset.head<2>().squaredNorm() > params.merge_distance * light.position_variance) return false;
+  return offset.dot(light.inverse * offset) < params.merge_distance;
+}
+
+/// The heaviest components, each with all that are close to it; `mixture` is in falling order of weight.
+std::vector<WeightedTarget> merge_close(const std::vector<WeightedTarget>& mixture,
+                                        const ReductionParams& params) {
+  const std::vector<Summary> summaries = summaries_of(mixture);
+  std::vector<char> used(mixture.size(), 0);
+  std::vector<WeightedTarget> merged;
+  for (std::size_t first = 0; first < mixture.size(); ++first) {
+    if (used[first]) continue;
+    TargetMixture sum(mixture[first].target);
+    double detected = 0.0;
+    for (std::size_t i = first; i < mixture.size(); ++i) {
+      if (used[i] || (i != first && !is_close(summaries[first], summaries[i], params))) continue;
+      used[i] = 1;
+      sum.add(mixture[i].weight, mixture[i].target);
+      detected += mixture[i].detected;
+    }
+    merged.push_back({sum.weight(), sum.merged(), mixture[first].label, detected});
   }
-  return {sum.weight(), sum.merged(), mixture[first].label};
+  return merged;
 }
 
 void scale_to(double total, std::vector<WeightedTarget>& mixture) {
@@ -58,10 +84,7 @@ void reduce(std::vector<WeightedTarget>& mixture, const ReductionParams& params)
   const double total = total_weight(mixture);
   const double least = params.least_share * mixture.front().weight;
   while (mixture.back().weight < least) mixture.pop_back();
-  std::vector<char> used(mixture.size(), 0);
-  std::vector<WeightedTarget> merged;
-  for (std::size_t i = 0; i < mixture.size(); ++i)
-    if (!used[i]) merged.push_back(merge_from(i, mixture, params.merge_distance, used));
+  std::vector<WeightedTarget> merged = merge_close(mixture, params);
   std::stable_sort(merged.begin(), merged.end(), heavier);
   if (merged.size() > static_cast<std::size_t>(params.most))
     merged.resize(static_cast<std::size_t>(params.most));

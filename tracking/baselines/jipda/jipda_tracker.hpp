@@ -18,7 +18,7 @@ struct JipdaParams {
   /// propagation.
   double most_events = 3000.0;
   /// Squared Mahalanobis distance of two tracks' states below which the less probable one is dropped, >= 0.
-  double twin_distance = 1.0;
+  double twin_distance = 3.0;
 
   /// @throws std::invalid_argument naming the first value out of range.
   void validate() const;

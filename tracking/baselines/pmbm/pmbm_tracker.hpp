@@ -21,7 +21,7 @@ struct PmbmParams {
   double promote = 0.05;  ///< Existence from which a track enters the global hypotheses, in (0, 1).
   double demote = 0.01;   ///< Existence below which an unconfirmed one leaves them, > 0 and below `promote`.
   /// Squared Mahalanobis distance of two tracks' states below which the less probable one is dropped, >= 0.
-  double twin_distance = 1.0;
+  double twin_distance = 3.0;
   /// Report a track as the heaviest global hypothesis has it; else the mean over all.
   bool report_best = false;
 

@@ -47,6 +47,17 @@ TEST(WeightedTarget, LabelsAreNotMixed) {
   EXPECT_EQ(mixture.size(), 2U);
 }
 
+TEST(WeightedTarget, AcrossLabelsTheHeavierOneStays) {
+  std::vector<WeightedTarget> mixture{component(0.4, 0.0, 1), component(0.5, 0.1, 2)};
+  mixture[0].detected = 0.3;
+  ReductionParams params = kParams;
+  params.across_labels = true;
+  reduce(mixture, params);
+  ASSERT_EQ(mixture.size(), 1U);
+  EXPECT_EQ(mixture[0].label, 2);
+  EXPECT_DOUBLE_EQ(mixture[0].detected, 0.3);
+}
+
 TEST(WeightedTarget, RefusesParametersOutOfRange) {
   for (const ReductionParams& params : {ReductionParams{.least_share = 1.0},
                                         ReductionParams{.merge_distance = -1.0}, ReductionParams{.most = 0}})
