@@ -43,7 +43,7 @@ int AssociationMarginals::root(int node) {
 
 // Tracks that share a return, directly or through others, are one cluster.
 void AssociationMarginals::cluster(int num_tracks, int num_returns) {
-  parent_.resize(static_cast<std::size_t>(num_tracks + num_returns));
+  parent_.resize(static_cast<std::size_t>(num_tracks) + static_cast<std::size_t>(num_returns));
   std::iota(parent_.begin(), parent_.end(), 0);
   for (const auto& pair : pairs_) {
     const int track = root(pair.track);
