@@ -151,6 +151,9 @@ double ScanView::beam_ratio(std::size_t beam, double owned_by_others) const {
 }
 
 double ScanView::return_ratio(const GaussianTarget& target, const ViewedReturn& seen) const {
+  // So near the sonar every bearing fits, and the target would take the near returns of all beams.
+  const Eigen::Vector2d p_earth_sonar(T_earth_sonar_.north, T_earth_sonar_.east);
+  if ((target.mean().head<2>() - p_earth_sonar).norm() < figures_.range_sigma) return 0.0;
   if (squared_distance(target, seen.measurement) > gate_) return 0.0;
   return (1.0 - params_.hidden) * detection_probability() * density(target, seen.measurement) /
          seen.clutter_density;

@@ -76,7 +76,8 @@ class ScanView {
   /// target may have made does not speak against this one: of two targets in a beam one is heard.
   /// @param own the claim that was made for this target, which is taken off.
   double miss_ratio(const BeamSpread& spread, const BeamClaim& own) const;
-  /// Likelihood ratio "target, this return its own" against "no target, false return"; 0 beyond the gate.
+  /// Likelihood ratio "target, this return its own" against "no target, false return"; 0 beyond the gate,
+  /// and of a target within a range sigma of the sonar.
   double return_ratio(const GaussianTarget& target, const ViewedReturn& seen) const;
 
  private:

@@ -96,6 +96,14 @@ TEST(ScanView, AnotherTargetsReturnDoesNotSpeakAgainstIt) {
   EXPECT_NEAR(view.miss_ratio(view.spread_of(far), {far, 1.0}), params.hidden, 1e-6);
 }
 
+TEST(ScanView, ATargetAtTheSonarHasNoReturns) {
+  const auto view = look(scan_of(0, {in_beam(10, 4.0), in_beam(80, 4.0)}));
+  const GaussianTarget at_sonar = target_at(0.05, 0.0), ahead = target_at(3.5, 0.0, 1.0);
+  for (const auto& seen : view.returns()) EXPECT_EQ(view.return_ratio(at_sonar, seen), 0.0);
+  const auto near = look(scan_of(0, {in_beam(45, 4.0)}));
+  EXPECT_GT(near.return_ratio(ahead, near.returns()[0]), 0.0);
+}
+
 TEST(ScanView, OutsideTheFieldNothingIsLearnt) {
   const auto view = look(scan_of(0, {}));
   const GaussianTarget behind = target_at(-50.0, 0.0), beyond = target_at(400.0, 0.0);
