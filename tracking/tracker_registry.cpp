@@ -7,8 +7,11 @@
 
 #include "core/files/yaml_reader.hpp"
 #include "csht/estimator_registry.hpp"
+#include "tracking/baselines/gm_phd/gm_phd_tracker.hpp"
 #include "tracking/baselines/gnn_tracker.hpp"
+#include "tracking/baselines/jipda/jipda_tracker.hpp"
 #include "tracking/baselines/kalman_tracker.hpp"
+#include "tracking/baselines/pmbm/pmbm_tracker.hpp"
 #include "tracking/csht_tracker.hpp"
 #include "tracking/initiation/initiator_birth.hpp"
 #include "tracking/initiation/initiator_registry.hpp"
@@ -93,6 +96,41 @@ std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::Sonar
   return std::make_unique<GnnTracker>(gnn, sonar, std::move(births));
 }
 
+/// These begin tracks by probabilities that an initiator does not state.
+void refuse_initiator(const TrackerParams& params, const std::string& tracker) {
+  if (params.initiator.empty() || params.initiator == tracker) return;
+  throw std::invalid_argument("tracker: initiator: `" + params.initiator + "` has no effect on tracker " +
+                              tracker + ", which begins tracks by its own births; expected " + tracker +
+                              " or none");
+}
+
+std::unique_ptr<Tracker> make_jipda(const TrackerParams& params, const core::SonarParams& sonar,
+                                    std::uint64_t /*seed*/) {
+  refuse_initiator(params, "jipda");
+  JipdaParams jipda;
+  jipda.existence.coast_s = params.coast_s;
+  set_own(params, "jipda", jipda);
+  return std::make_unique<JipdaTracker>(jipda, sonar);
+}
+
+std::unique_ptr<Tracker> make_gm_phd(const TrackerParams& params, const core::SonarParams& sonar,
+                                     std::uint64_t /*seed*/) {
+  refuse_initiator(params, "gm_phd");
+  GmPhdParams gm_phd;
+  gm_phd.existence.coast_s = params.coast_s;
+  set_own(params, "gm_phd", gm_phd);
+  return std::make_unique<GmPhdTracker>(gm_phd, sonar);
+}
+
+std::unique_ptr<Tracker> make_pmbm(const TrackerParams& params, const core::SonarParams& sonar,
+                                   std::uint64_t /*seed*/) {
+  refuse_initiator(params, "pmbm");
+  PmbmParams pmbm;
+  pmbm.existence.coast_s = params.coast_s;
+  set_own(params, "pmbm", pmbm);
+  return std::make_unique<PmbmTracker>(pmbm, sonar);
+}
+
 /// One line a tracker; those from outside follow.
 std::vector<Entry>& registry() {
   static std::vector<Entry> entries{
@@ -100,6 +138,9 @@ std::vector<Entry>& registry() {
       {"csht", "csht", &make_csht, &listed<CshtTrackerParams>},
       {"kalman", "", &make_kalman, &listed<KalmanParams>},
       {"gnn", "", &make_gnn, &listed<GnnParams>},
+      {"jipda", "", &make_jipda, &listed<JipdaParams>},
+      {"gm_phd", "", &make_gm_phd, &listed<GmPhdParams>},
+      {"pmbm", "", &make_pmbm, &listed<PmbmParams>},
   };
   return entries;
 }

@@ -64,9 +64,19 @@ TEST(TrackerRegistry, ParametersReachTheirTracker) {
 }
 
 TEST(TrackerRegistry, EveryTrackerListsItsParameters) {
-  for (const char* name : {"joint", "csht", "kalman", "gnn"})
+  for (const char* name : {"joint", "csht", "kalman", "gnn", "jipda", "gm_phd", "pmbm"})
     EXPECT_FALSE(own_parameters(name).list.all().empty()) << name;
   EXPECT_TRUE(own_parameters("nothing").list.all().empty());
+}
+
+TEST(TrackerRegistry, RefusesAnInitiatorWhereBirthsHaveProbabilities) {
+  TrackerParams params;
+  params.initiator = "vct";
+  EXPECT_NE(make_tracker("gnn", params, {}, 1), nullptr);
+  for (const char* name : {"jipda", "gm_phd", "pmbm"})
+    EXPECT_THROW(make_tracker(name, params, {}, 1), std::invalid_argument) << name;
+  params.initiator = "jipda";
+  EXPECT_NE(make_tracker("jipda", params, {}, 1), nullptr);
 }
 
 TEST(TrackerRegistry, TakesATrackerFromOutside) {

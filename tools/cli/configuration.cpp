@@ -229,7 +229,8 @@ void refuse_idle_choices(const Options& options, const Configuration& configurat
   refuse_idle_clutter_map(options, configuration);
   if (configuration.tracker.report_all && takes_no_elements(configuration.tracker.name))
     throw core::InputError(options.config + ": output: min_existence: has no effect on tracker " +
-                           configuration.tracker.name + ", whose tracks exist or do not; expected none");
+                           configuration.tracker.name +
+                           ", which confirms by rules of its own; expected none");
   if (!configuration.tracker.report_standing && configuration.tracker.name != "joint")
     throw core::InputError(options.config + ": output: standing: has no effect on tracker " +
                            configuration.tracker.name + ", which takes all for moving; expected none");

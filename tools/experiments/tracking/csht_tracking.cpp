@@ -7,9 +7,9 @@
 #include "sonar_sim/scene.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/experiments/harness/paper_figures.hpp"
-#include "tools/experiments/harness/task_pool.hpp"
 #include "tools/experiments/harness/report.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
+#include "tools/experiments/harness/task_pool.hpp"
 #include "tools/experiments/tracking/over_time.hpp"
 #include "tools/experiments/tracking/perfect_association.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"
@@ -63,7 +63,7 @@ std::vector<std::string> methods() {
 
 /// Trackers that use the sensor's probabilities, or estimate them where they are not told.
 bool uses_figures(const std::string& method) {
-  return method == "joint";
+  return method == "joint" || method == "jipda" || method == "gm_phd" || method == "pmbm";
 }
 
 /// The longer window serves high miss rates; the diagonal of the table shows its effect at the others.
@@ -100,6 +100,7 @@ void add_cells(const std::string& method, const std::string& clutter, const Poin
     further.push_back(make_cell(method, clutter, point, kLongWindow));
   if (!uses_figures(method)) return;
   further.push_back(variant(cells.back(), "sensor_figures", "unknown"));
+  if (method != "joint") return;  // the others have no delayed output
   for (const double lag : kLags) further.push_back(variant(cells.back(), "lag_s", lag));
 }
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "tracking/baselines/gaussian/bernoulli_track.hpp"
+
+namespace lookout::tracking {
+
+/// Which tracks follow the target of another: of two whose states are closer than `distance` (squared
+/// Mahalanobis, under the sum of both covariances), the less probable one. @return one flag a track.
+std::vector<char> find_twins(std::span<const BernoulliTrack> tracks, double distance);
+
+/// Drops them. The order is kept.
+void drop_twins(std::vector<BernoulliTrack>& tracks, double distance);
+
+}  // namespace lookout::tracking

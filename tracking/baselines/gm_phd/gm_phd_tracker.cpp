@@ -1,0 +1,78 @@
+#include "tracking/baselines/gm_phd/gm_phd_tracker.hpp"
+
+#include <algorithm>
+
+namespace lookout::tracking {
+namespace {
+
+constexpr double kHalf = 0.5;
+
+}  // namespace
+
+void GmPhdParams::validate() const {
+  existence.validate();
+}
+
+GmPhdTracker::GmPhdTracker(const GmPhdParams& params, const core::SonarParams& sonar)
+    : params_(params),
+      motion_(params.motion, sonar),
+      scene_(params.view, params.population, sonar),
+      intensity_(params.intensity) {
+  params_.validate();
+}
+
+std::span<const core::Track> GmPhdTracker::update(const core::PosedScan& scan,
+                                                  std::span<const core::MotionElement> /*elements*/) {
+  scene_.look(scan);
+  intensity_.predict(motion_, scene_);
+  intensity_.update(scene_, motion_, next_id_);
+  follow_labels();
+  step_lives();
+  scene_.finish(tally_of(tracks_, scene_.view()));
+  return report();
+}
+
+/// One track a label: those that were there go on, new ones begin, those without components end.
+void GmPhdTracker::follow_labels() {
+  before_.swap(tracks_);
+  tracks_.clear();
+  auto old = before_.begin();
+  for (const auto& label : intensity_.labels()) {
+    while (old != before_.end() && old->id < label.label) ++old;
+    BernoulliTrack track;
+    track.first_utime = track.last_detection_utime = scene_.utime();
+    if (old != before_.end() && old->id == label.label) track = *old;
+    follow(track, label);
+    tracks_.push_back(track);
+  }
+}
+
+void GmPhdTracker::follow(BernoulliTrack& track, const LabelSum& label) {
+  track.id = label.label;
+  track.target = label.target;
+  track.existence = std::min(1.0, label.weight);
+  track.detected = std::min(1.0, label.detected);
+  track.spread = scene_.view().spread_of(track.target);
+  if (track.detected > kHalf) track.last_detection_utime = scene_.utime();
+}
+
+void GmPhdTracker::step_lives() {
+  std::size_t kept = 0;
+  for (auto& track : tracks_) {
+    const bool in_view = scene_.view().in_view(track.spread) >= kHalf;
+    track.life.step(params_.existence, {scene_.utime(), track.existence, in_view});
+    if (track.life.ended())
+      intensity_.forget(track.id);
+    else
+      tracks_[kept++] = track;
+  }
+  tracks_.resize(kept);
+}
+
+std::span<const core::Track> GmPhdTracker::report() {
+  reported_.clear();
+  for (const auto& track : tracks_) reported_.push_back(to_track(track));
+  return reported_;
+}
+
+}  // namespace lookout::tracking
