@@ -12,11 +12,13 @@ namespace {
 constexpr double kReachSigmas = 2.5;      // of a target's filtered signature around its centre
 constexpr double kClaimSigmas = 4.0;      // of a target's signature whose cells are not learnt
 constexpr double kClaimExistence = 0.02;  // below it nothing is kept from the background
-constexpr double kSameVelocity = 16.0;    // chi-square at four degrees of freedom
-constexpr double kRestless = 2.2;         // unrest at which the target begins to count as agile
-constexpr double kAgile = 5.0;            // and at which it does so wholly
-constexpr double kBirthSigmas = 2.0;      // [signatures] of a new track's position before it is measured
-constexpr double kLosing = 0.1;           // share of a new track's existence at which it is given up
+constexpr double kStandingExistence =
+    0.5;                                // below it there is nothing to stand: noise is left to the background
+constexpr double kSameVelocity = 16.0;  // chi-square at four degrees of freedom
+constexpr double kRestless = 2.2;       // unrest at which the target begins to count as agile
+constexpr double kAgile = 5.0;          // and at which it does so wholly
+constexpr double kBirthSigmas = 2.0;    // [signatures] of a new track's position before it is measured
+constexpr double kLosing = 0.1;         // share of a new track's existence at which it is given up
 
 }  // namespace
 
@@ -66,6 +68,7 @@ void CellTracker::predict(double time) {
     const double density = params_.motion.steady_density * std::exp(agile * agility);
     track.state = (F * track.state).eval();
     track.covariance = (F * track.covariance * F.transpose() + density * noise).eval();
+    track.error = (F * track.error * F.transpose() + params_.motion.usual_share * density * noise).eval();
     track.existence *= survival;
     ++track.age;
   }
@@ -121,7 +124,7 @@ void CellTracker::set_systematic(CellTrack& track, const CellView& view) const {
   const ScaledFrame& scaled = scales_.scales()[static_cast<std::size_t>(track.scale)];
   const Eigen::Matrix2d to_position = scaled.to_scale(view).jacobian.inverse();
   const Eigen::Vector2d variance =
-      (params_.measurement.systematic * params_.measurement.sigma).array().square();
+      (params_.measurement.systematic * params_.scales.filter.sigma).array().square();
   track.systematic = to_position * variance.asDiagonal() * to_position.transpose();
 }
 
@@ -203,6 +206,7 @@ CellTrack CellTracker::new_track(const CellGeometry& geometry, const Candidate& 
   track.covariance.topLeftCorner<2, 2>() = to_position * variance.asDiagonal() * to_position.transpose();
   const double speed = params_.motion.start_speed_sigma;
   track.covariance(2, 2) = track.covariance(3, 3) = speed * speed;
+  track.error = track.covariance;
   track.existence = evidence_.first_existence(scales_, candidate);
   track.least_existence = kLosing * track.existence;
   track.moving_odds = standing_.first_odds(scales_, geometry, candidate);
@@ -243,7 +247,7 @@ void CellTracker::claim_standing(const CellGeometry& geometry) {
   claims_.standing.clear();
   standing_.forget_old(last_time_);
   for (const CellTrack& track : tracks_) {
-    if (!track.inside || !standing_.surely_stands(track)) continue;
+    if (!track.inside || !standing_.surely_stands(track) || track.existence < kStandingExistence) continue;
     claims_.standing.push_back(window_of(track, geometry));
     standing_.remember(track.state.head<2>(), last_time_);
   }

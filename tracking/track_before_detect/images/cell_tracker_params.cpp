@@ -10,6 +10,7 @@ namespace {
 void check(const CellMotionParams& p) {
   core::require_positive("steady_density", p.steady_density);
   core::require_positive("agile_density", p.agile_density);
+  core::require(p.usual_share > 0.0 && p.usual_share <= 1.0, "usual_share must be in (0, 1]", p.usual_share);
   core::require(p.start_speed_sigma > 0.0, "start_speed_sigma must be > 0", p.start_speed_sigma);
   core::require(p.max_speed > 0.0, "max_speed must be > 0", p.max_speed);
 }

@@ -9,20 +9,21 @@ namespace lookout::tracking {
 struct CellMotionParams {
   double steady_density = 0.0004;  ///< White acceleration on a steady course [unit^2 / s^3], > 0.
   double agile_density = 0.05;     ///< Where the innovations say that it turns [unit^2 / s^3], > 0.
+  double usual_share = 0.1;        ///< Of those, what targets mostly do: the published error's, in (0, 1].
   double start_speed_sigma = 1.0;  ///< Of each velocity component of a new track [unit/s], > 0.
   double max_speed = 4.0;          ///< Faster tracks are deleted [unit/s], > 0.
 };
 
 /// How a track comes to exist and ends.
 struct CellExistenceParams {
-  double birth_expectation = 5.0;    ///< Blocks a frame and scale that start tracks without a target, > 0.
-  double births_per_frame = 8.0;     ///< Prior: targets expected to appear in a frame, > 0.
+  double birth_expectation = 15.0;   ///< Blocks a frame and scale that start tracks without a target, > 0.
+  double births_per_frame = 3.0;     ///< Prior: targets expected to appear in a frame, > 0.
   double rank_exponent = 0.15;       ///< a: ranks of targets have density a p^(a - 1), in (0, 1).
   double least_probability = 1e-6;   ///< A block less probable than this says no more, in (0, 1).
   double lifetime = 25.0;            ///< Mean time that a target lasts [s], > 0.
   double confirm_existence = 0.995;  ///< In (0, 1).
   double most_existence = 0.99999;   ///< No track is surer, in (0, 1).
-  int min_age = 2;                   ///< Frames after its first before a track is confirmed, >= 0.
+  int min_age = 1;                   ///< Frames after its first before a track is confirmed, >= 0.
   double delete_confirmed = 0.02;    ///< Existence below which a confirmed track ends.
   double delete_tentative = 1e-5;    ///< And a tentative one.
   double merge_distance = 1.5;       ///< Tracks nearer than this are one [signatures], >= 0.
