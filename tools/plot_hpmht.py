@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Plots of the hpmht experiments: tracks over image, existence over time, figures over SNR, deviations by scenario.
 
-Usage: plot_hpmht.py DIR, where `lookout experiment hpmht-sonar` (or `hpmht-video`) `--out DIR` has written.
+Usage: plot_hpmht.py DIR, where `lookout experiment hpmht-sonar` (or `hpmht-curves`, `hpmht-video`) `--out DIR` has
+written.
 """
 import csv
 import json
@@ -72,17 +73,36 @@ def value(cell, metric):
 
 
 def plot_over_snr(directory, cells):
+    """The figures over the level; of h_pmht with the signature that it is told and with none."""
     cells = [c for c in cells if c["parameters"]["situation"] == "five_targets" and c["parameters"]["shape"] == 4]
+    name = lambda c: c["method"] + (" (signature found)" if c["parameters"]["signature"] == "found" else "")
     figure, axes = plt.subplots(1, 3, figsize=(14, 4))
     names = [("in_track", "share of target-time in track"), ("rmse", "RMSE [m]"), ("false_per_scan", "false tracks a scan")]
     for axis, (metric, label) in zip(axes, names):
-        for method in sorted({c["method"] for c in cells}):
-            own = sorted((c["parameters"]["snr_db"], value(c, metric)) for c in cells if c["method"] == method)
-            axis.plot(*zip(*own), marker="o", label=method)
+        for method, marker in zip(sorted({name(c) for c in cells}), "os^vD"):
+            own = sorted((c["parameters"]["snr_db"], value(c, metric)) for c in cells if name(c) == method)
+            axis.plot(*zip(*own), marker=marker, label=method)
         axis.set(xlabel="SNR [dB]", ylabel=label)
         axis.grid(alpha=0.3)
     axes[0].legend()
     save(figure, directory / "over_snr.png")
+
+
+def plot_curves(directory, cells):
+    """Operating curves: time in track over false tracks a scan, a point a threshold, a panel a level."""
+    levels = sorted({c["parameters"]["snr_db"] for c in cells})
+    figure, axes = plt.subplots(1, len(levels), figsize=(6 * len(levels), 4.5), squeeze=False)
+    for axis, level in zip(axes[0], levels):
+        here = [c for c in cells if c["parameters"]["snr_db"] == level]
+        for (method, rule), marker in zip(sorted({(c["method"], c["parameters"]["rule"]) for c in here}), "os^vD"):
+            own = [c for c in here if (c["method"], c["parameters"]["rule"]) == (method, rule)]
+            axis.plot(*zip(*sorted((value(c, "false_per_scan"), value(c, "in_track")) for c in own)), marker=marker,
+                      label=f"{method}, {rule}")
+        axis.set(xlabel="false tracks a scan", ylabel="share of target-time in track", title=f"{level:g} dB")
+        axis.set_xscale("symlog", linthresh=0.01)
+        axis.grid(alpha=0.3)
+    axes[0][0].legend(fontsize="small")
+    save(figure, directory / "operating_curves.png")
 
 
 def plot_video(directory, cells):
@@ -95,7 +115,7 @@ def plot_video(directory, cells):
         left.plot(*zip(*path), style, linewidth=1, label=f"{method} {truncation}")
     left.set_title("scenario 5: PDIM at scan 10, tracks at 5 dB")
     left.legend(fontsize="x-small")
-    for method in ("h_pmht", "i_h_pmht_4", "i_h_pmht_1", "immpda_ai"):
+    for method in ("h_pmht", "i_h_pmht_4", "i_h_pmht_1", "immpda_ai", "centroid_kf"):
         for truncation, style in (("impute", "--"), ("zero", "-"), ("none", "-")):
             own = sorted((c["parameters"]["scenario"], value(c, "deviation")) for c in cells
                          if c["method"] == method and c["parameters"]["truncation"] == truncation
@@ -115,6 +135,8 @@ def main():
             plot_sonar_image(directory)
             plot_existence(directory)
         plot_over_snr(directory, results["cells"])
+    elif results["experiment"] == "hpmht-curves":
+        plot_curves(directory, results["cells"])
     else:
         plot_video(directory, results["cells"])
 

@@ -15,16 +15,34 @@ namespace {
 
 constexpr int kLargestSide = 1 << 15;
 constexpr int kLargestValue = 65535;
+constexpr std::size_t kColours = 3;
+constexpr double kRed = 0.2989, kGreen = 0.587, kBlue = 0.114;  // [Pakfiliz2018] Eq. (1)
 constexpr std::size_t kMostPixels = SonarLimits::kMaxPixels;
 
-/// Reads a PGM held in memory.
+/// Reads a PGM held in memory, or a PPM.
 class PgmReader {
  public:
   PgmReader(const std::string& path, const std::string& bytes) : path_(path), bytes_(bytes) {}
 
-  GreyImage read() {
+  GreyImage read_grey() {
     const std::string magic = bytes_.substr(0, 2);
     if (magic != "P5" && magic != "P2") fail("is not a PGM file, expected one that begins with P5 or P2");
+    return read(magic == "P5", 1);
+  }
+
+  GreyImage read_any() {
+    const std::string magic = bytes_.substr(0, 2);
+    if (magic != "P6" && magic != "P3" && magic != "P5" && magic != "P2")
+      fail("is no PGM or PPM file, expected one that begins with P5, P2, P6 or P3");
+    const bool colour = magic == "P6" || magic == "P3";
+    GreyImage image = read(magic == "P6" || magic == "P5", colour ? kColours : 1);
+    if (colour) to_grey(image.pixels);
+    return image;
+  }
+
+ private:
+  /// @param values a pixel. The image then has as many values a pixel.
+  GreyImage read(bool binary, std::size_t values) {
     at_ = 2;
     GreyImage image;
     image.columns = number("width", 1, kLargestSide);
@@ -33,12 +51,24 @@ class PgmReader {
     const auto size = static_cast<std::size_t>(image.columns) * static_cast<std::size_t>(image.rows);
     if (size > kMostPixels)
       fail("has " + std::to_string(size) + " pixels, expected at most " + std::to_string(kMostPixels));
-    magic == "P5" ? read_binary(size, image) : read_plain(size, image);
+    values_ = values;
+    binary ? read_binary(size * values, image) : read_plain(size * values, image);
     return image;
   }
 
- private:
+  static void to_grey(std::vector<double>& values) {
+    const std::size_t size = values.size() / kColours;
+    for (std::size_t i = 0; i < size; ++i)
+      values[i] = grey_level(values[kColours * i], values[kColours * i + 1], values[kColours * i + 2]);
+    values.resize(size);
+  }
+
   [[noreturn]] void fail(const std::string& message) const { throw InputError(path_ + ": " + message); }
+
+  [[noreturn]] void fail_short(std::size_t held, std::size_t expected) const {
+    fail("is truncated: holds " + std::to_string(held / values_) + " of " +
+         std::to_string(expected / values_) + " pixels");
+  }
 
   void skip_space_and_comments() {
     while (at_ < bytes_.size() &&
@@ -66,8 +96,7 @@ class PgmReader {
     ++at_;  // one white space ends the header
     const std::size_t width = largest_ > 255 ? 2 : 1;
     const std::size_t held = bytes_.size() > at_ ? (bytes_.size() - at_) / width : 0;
-    if (held < size)
-      fail("is truncated: holds " + std::to_string(held) + " of " + std::to_string(size) + " pixels");
+    if (held < size) fail_short(held, size);
     image.pixels.resize(size);
     for (std::size_t i = 0; i < size; ++i) {
       const auto byte = [&](std::size_t k) {
@@ -80,8 +109,7 @@ class PgmReader {
   void read_plain(std::size_t size, GreyImage& image) {
     for (std::size_t i = 0; i < size; ++i) {
       skip_space_and_comments();
-      if (at_ >= bytes_.size())
-        fail("is truncated: holds " + std::to_string(i) + " of " + std::to_string(size) + " pixels");
+      if (at_ >= bytes_.size()) fail_short(i, size);
       image.pixels.push_back(number("pixel", 0, largest_));
     }
   }
@@ -89,17 +117,31 @@ class PgmReader {
   const std::string& path_;
   const std::string& bytes_;
   std::size_t at_ = 0;
+  std::size_t values_ = 1;  ///< A pixel.
   int largest_ = 0;
 };
+
+std::string bytes_of(const std::string& path) {
+  std::error_code ignored;
+  std::ifstream file(path, std::ios::binary);
+  if (!file || !std::filesystem::is_regular_file(path, ignored)) throw InputError(path + ": cannot be read");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 }  // namespace
 
 GreyImage read_pgm(const std::string& path) {
-  std::error_code ignored;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || !std::filesystem::is_regular_file(path, ignored)) throw InputError(path + ": cannot be read");
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  return PgmReader(path, bytes).read();
+  const std::string bytes = bytes_of(path);
+  return PgmReader(path, bytes).read_grey();
+}
+
+GreyImage read_picture(const std::string& path) {
+  const std::string bytes = bytes_of(path);
+  return PgmReader(path, bytes).read_any();
+}
+
+double grey_level(double red, double green, double blue) {
+  return kRed * red + kGreen * green + kBlue * blue;
 }
 
 void write_pgm(const std::string& path, const GreyImage& image, int white) {

@@ -18,6 +18,13 @@ struct GreyImage {
 /// @throws InputError naming the file and what is wrong: not a PGM, a bad size, truncated.
 GreyImage read_pgm(const std::string& path);
 
+/// The same, and portable pixel maps too (P6 and P3), whose colours become grey by grey_level().
+/// @throws InputError likewise.
+GreyImage read_picture(const std::string& path);
+
+/// Grey level of a colour. [Pakfiliz2018] Eq. (1)
+double grey_level(double red, double green, double blue);
+
 /// Writes 16-bit binary. Values are rounded and clamped to 0 .. 65535.
 /// @param white the value that a viewer shows as white, from 256 to 65535; larger ones are clamped to it.
 /// @throws InputError where the disk refuses.

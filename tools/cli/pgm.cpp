@@ -1,6 +1,7 @@
 #include "tools/cli/pgm.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -17,12 +18,14 @@ namespace {
 /// The usual difference of frame times may be so much above the least: less regular times are taken by the
 /// least.
 constexpr double kSteadyCount = 1.5;
+constexpr std::array<std::string_view, 1> kGrey{".pgm"};
+constexpr std::array<std::string_view, 2> kPictures{".pgm", ".ppm"};
 constexpr double kLongestGap = 1e6;  // Frames; more is a mistake of names, not silence.
 
-bool is_pgm(const std::filesystem::path& path) {
+std::string extension_of(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
   for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-  return extension == ".pgm";
+  return extension;
 }
 
 bool is_digit(char letter) {
@@ -110,11 +113,14 @@ FrameNumbers frame_numbers(std::span<const std::string> stems) {
   return result;
 }
 
-PgmSequence list_pgm(const std::string& directory) {
+namespace {
+
+PgmSequence list_of(const std::string& directory, std::span<const std::string_view> extensions) {
   std::error_code error;
   PgmSequence sequence;
   for (const auto& entry : std::filesystem::directory_iterator(directory, error))
-    if (is_pgm(entry.path())) sequence.paths.push_back(entry.path().string());
+    if (std::find(extensions.begin(), extensions.end(), extension_of(entry.path())) != extensions.end())
+      sequence.paths.push_back(entry.path().string());
   if (error) throw core::InputError(directory + ": cannot be read, expected a directory of .pgm files");
   if (sequence.paths.empty()) throw core::InputError(directory + ": holds no .pgm file");
   std::sort(sequence.paths.begin(), sequence.paths.end(), natural_less);
@@ -124,6 +130,16 @@ PgmSequence list_pgm(const std::string& directory) {
   sequence.index = std::move(numbers.index);
   sequence.note = std::move(numbers.note);
   return sequence;
+}
+
+}  // namespace
+
+PgmSequence list_pgm(const std::string& directory) {
+  return list_of(directory, kGrey);
+}
+
+PgmSequence list_pictures(const std::string& directory) {
+  return list_of(directory, kPictures);
 }
 
 }  // namespace lookout::tools

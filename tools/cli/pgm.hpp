@@ -12,6 +12,7 @@ namespace lookout::tools {
 
 using core::GreyImage;
 using core::read_pgm;
+using core::read_picture;
 using core::write_pgm;
 
 /// The .pgm files of a directory (.PGM too) in natural order of their names, frame2 before frame10, and when
@@ -27,6 +28,8 @@ bool natural_less(std::string_view a, std::string_view b);
 
 /// @throws core::InputError where there is no such directory or no .pgm file in it.
 PgmSequence list_pgm(const std::string& directory);
+/// The same of the .pgm and .ppm files, grey or in colours.
+PgmSequence list_pictures(const std::string& directory);
 
 /// Frame numbers of names in their order.
 struct FrameNumbers {

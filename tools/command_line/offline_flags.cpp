@@ -66,7 +66,7 @@ void declare_ospa(CLI::App& app, Options& options) {
 void declare_tbd(CLI::App& app, Options& options) {
   app.add_option("METHOD", options.method, one_of("Method", tracking::frame_tracker_names()))->required();
   app.add_option("FRAMES_DIR", options.inputs,
-                 "Directory of PGM frames, taken in order of name, or a recording with images.csv")
+                 "Directory of PGM or PPM frames, taken in order of name, or a recording with images.csv")
       ->expected(1)
       ->required();
   app.add_option("--out", options.out, "CSV file to write");

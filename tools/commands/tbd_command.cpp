@@ -63,7 +63,7 @@ class FrameSource {
 
  private:
   void open_sequence(const std::string& directory) {
-    sequence_ = list_pgm(directory);
+    sequence_ = list_pictures(directory);
     if (!sequence_.note.empty()) log_warning(directory + ": " + sequence_.note);
     leave_out_a_cut_end();
   }
@@ -80,7 +80,7 @@ class FrameSource {
 
   /// Frame i from its file.
   GreyImage load(std::size_t i) {
-    if (!images_) return read_pgm(sequence_.paths[i]);
+    if (!images_) return read_picture(sequence_.paths[i]);
     core::SonarImage image = images_->read(i);
     return {image.num_bins, image.num_beams(), std::move(image.intensity)};
   }
@@ -91,7 +91,7 @@ class FrameSource {
   /// The last frame of a sequence whose writer was stopped is often cut off: the ones before it are whole.
   void leave_out_a_cut_end() {
     try {
-      read_pgm(sequence_.paths.back());
+      read_picture(sequence_.paths.back());
     } catch (const core::InputError& error) {
       if (sequence_.paths.size() == 1) throw;
       log_warning(std::string(error.what()) + "; the last frame is left out");

@@ -10,6 +10,7 @@
 #include "tools/experiments/initiation/nht_experiments.hpp"
 #include "tools/experiments/initiation/recording_births.hpp"
 #include "tools/experiments/initiation/sonar_births.hpp"
+#include "tools/experiments/track_before_detect/hpmht_curves.hpp"
 #include "tools/experiments/track_before_detect/hpmht_sonar.hpp"
 #include "tools/experiments/track_before_detect/hpmht_video.hpp"
 #include "tools/experiments/tracking/csht_tracking.hpp"
@@ -44,6 +45,7 @@ const std::array kExperiments{
     ExperimentEntry{"recording-births", make_recording_births},
     ExperimentEntry{"hpmht-video", make_hpmht_video},
     ExperimentEntry{"hpmht-sonar", make_hpmht_sonar},
+    ExperimentEntry{"hpmht-curves", make_hpmht_curves},
     ExperimentEntry{"t2gt", make_t2gt},
     ExperimentEntry{"two-uuv", make_two_uuv},
 };

@@ -39,10 +39,11 @@ double mass_between(double u_low, double tail_low, double u_high, double tail_hi
   return 1.0 - tail_low - tail_high;
 }
 
-CellIntegrals integrals_between(const Edge& low, const Edge& high, double sigma) {
+CellIntegrals integrals_between(const Edge& low, const Edge& high, double sigma, CellMoments moments) {
   CellIntegrals cell;
   cell.probability = mass_between(low.u, low.tail, high.u, high.tail);
   cell.first = sigma * (low.density - high.density);
+  if (moments == CellMoments::first) return cell;
   cell.second =
       std::max(0.0, sigma * sigma * (cell.probability + low.u * low.density - high.u * high.density));
   return cell;
@@ -52,7 +53,8 @@ CellIntegrals integrals_between(const Edge& low, const Edge& high, double sigma)
 
 CellIntegrals integrate_cell(double mean, double variance, double low, double high) {
   const double sigma = std::sqrt(variance);
-  return integrals_between(edge_at((low - mean) / sigma), edge_at((high - mean) / sigma), sigma);
+  return integrals_between(edge_at((low - mean) / sigma), edge_at((high - mean) / sigma), sigma,
+                           CellMoments::second);
 }
 
 double cell_probability(double mean, double variance, double low, double high) {
@@ -70,17 +72,16 @@ double cell_second_moment(double mean, double variance, double low, double high)
   return integrate_cell(mean, variance, low, high).second;
 }
 
-void AxisIntegrals::compute(double mean, double variance, int first_cell, int num_cells) {
+void AxisIntegrals::compute(double mean, double variance, int first_cell, int num_cells,
+                            CellMoments moments) {
   const auto size = static_cast<std::size_t>(num_cells);
-  probability_.resize(size);
-  first_.resize(size);
-  second_.resize(size);
+  for (auto* integrals : {&probability_, &first_, &second_}) integrals->resize(size);
   sum_ = {};
   const double sigma = std::sqrt(variance);
   Edge low = edge_at((first_cell - mean) / sigma);
   for (std::size_t i = 0; i < size; ++i) {
     const Edge high = edge_at((first_cell + static_cast<double>(i) + 1.0 - mean) / sigma);
-    CellIntegrals cell = integrals_between(low, high, sigma);
+    CellIntegrals cell = integrals_between(low, high, sigma, moments);
     if (cell.probability < kNegligible) cell = {};
     probability_[i] = cell.probability;
     first_[i] = cell.first;

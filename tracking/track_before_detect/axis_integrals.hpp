@@ -23,12 +23,20 @@ double cell_first_moment(double mean, double variance, double low, double high);
 /// CellIntegrals::second alone.
 double cell_second_moment(double mean, double variance, double low, double high);
 
+/// Which integrals are evaluated.
+enum class CellMoments {
+  first,  ///< Probability and first moment.
+  second  ///< The second moment too.
+};
+
 /// The integrals over a run of neighbouring cells: one error function and one exponential an edge. Cells with
 /// a probability below 1e-150 hold 0.
 class AxisIntegrals {
  public:
-  /// Cells [first_cell, first_cell + num_cells); num_cells >= 0, variance > 0. Keeps its buffers.
-  void compute(double mean, double variance, int first_cell, int num_cells);
+  /// Cells [first_cell, first_cell + num_cells); num_cells >= 0, variance > 0. Keeps its buffers. Moments
+  /// that are not evaluated hold 0.
+  void compute(double mean, double variance, int first_cell, int num_cells,
+               CellMoments moments = CellMoments::second);
 
   /// Of each cell, from the first on.
   const std::vector<double>& probability() const { return probability_; }

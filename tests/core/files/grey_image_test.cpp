@@ -52,6 +52,36 @@ TEST(GreyImage, ReadsEightBitsPlainTextAndComments) {
   EXPECT_EQ(read_pgm(directory.path() + "/b.pgm").pixels, (std::vector<double>{12, 299}));
 }
 
+// Weights of [Pakfiliz2018] Eq. (1): red 255 is 76.2, and a grey colour its own level within their sum,
+// .9999.
+TEST(GreyImage, ColoursBecomeGrey) {
+  const tests::TemporaryDirectory directory;
+  write(directory.path() + "/a.ppm",
+        "P6\n2 1\n255\n\xff\x01\x02"
+        "ddd");
+  const std::vector<double> binary = read_picture(directory.path() + "/a.ppm").pixels;
+  ASSERT_EQ(binary.size(), 2u);
+  EXPECT_NEAR(binary[0], 0.2989 * 255 + 0.587 * 1 + 0.114 * 2, 1e-9);
+  EXPECT_NEAR(binary[1], 100.0, 0.02);
+  write(directory.path() + "/b.ppm", "P3\n1 1\n300\n300 0 10\n");
+  EXPECT_NEAR(read_picture(directory.path() + "/b.ppm").pixels.at(0), 0.2989 * 300 + 0.114 * 10, 1e-9);
+  write(directory.path() + "/c.pgm", "P5\n2 1\n255\n\x05\x07");
+  EXPECT_EQ(read_picture(directory.path() + "/c.pgm").pixels, (std::vector<double>{5, 7}));
+}
+
+TEST(GreyImage, ACutOffColourPictureSaysHowManyPixelsItHolds) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = directory.path() + "/a.ppm";
+  write(path, "P6\n2 2\n255\nabcdefg");
+  try {
+    read_picture(path);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()), path + ": is truncated: holds 2 of 4 pixels");
+  }
+  EXPECT_NE(error_of(path).find("is not a PGM"), std::string::npos);  // where only grey is taken
+}
+
 TEST(GreyImage, ATruncatedFileSaysHowMuchItHolds) {
   const tests::TemporaryDirectory directory;
   const std::string path = directory.path() + "/a.pgm";

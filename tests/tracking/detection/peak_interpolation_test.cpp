@@ -22,6 +22,14 @@ ImagePlane gaussian(double beam, double bin) {
   return plane;
 }
 
+// y = 5 - (x - .25)^2 at -1, 0, 1; and a straight line, which has no top.
+TEST(PeakInterpolation, TheTopOfAParabola) {
+  const ParabolaTop top = parabola_top(5.0 - 1.5625, 5.0 - 0.0625, 5.0 - 0.5625);
+  EXPECT_NEAR(top.place, 0.25, 1e-12);
+  EXPECT_NEAR(top.height, 0.0625, 1e-12);
+  EXPECT_EQ(parabola_top(1.0, 2.0, 3.0).place, 0.0);
+}
+
 TEST(PeakInterpolation, IsExactForAGaussianEcho) {
   const ImagePlane plane = gaussian(9.3, 14.8);
   for (const CellReach reach : {CellReach{1, 1}, CellReach{2, 4}}) {

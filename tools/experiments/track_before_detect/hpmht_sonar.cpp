@@ -1,107 +1,16 @@
 #include "tools/experiments/track_before_detect/hpmht_sonar.hpp"
 
-#include <Eigen/Cholesky>
-#include <algorithm>
-#include <cmath>
-#include <map>
-
 #include "core/files/csv.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
-#include "tools/cli/paths.hpp"
 #include "tools/cli/pgm.hpp"
-#include "tools/cli/thread_time.hpp"
-#include "tracking/association/assignment.hpp"
-#include "tracking/track_before_detect/images/image_tracker.hpp"
+#include "tools/experiments/track_before_detect/sonar_score.hpp"
 
 namespace lookout::tools {
 namespace {
 
-constexpr const char* kScene = "sonar_image.yaml";
-constexpr double kMatchDistance = 5.0;  // [m], within which a confirmed track is a target's
-constexpr double kUnmatched = 1e6;
 constexpr double kPictureSnr = 8.0;       // [dB]
 constexpr double kPictureScale = 4096.0;  // normalised intensity to 16 bits
-
-/// The scene at one level and background, with its targets or without.
-sonar_sim::Scene scene_of(const Parameters& p) {
-  sonar_sim::Scene scene = sonar_sim::load_scene(tools_directory() + "/scenarios/" + kScene);
-  sonar_sim::ImagePlan& image = *scene.platforms.front().image;
-  image.snr_db = p.number("snr_db");
-  image.shape = p.number("shape");
-  if (p.text("situation") == "empty") scene.targets.clear();
-  return scene;
-}
-
-std::vector<core::Track> confirmed(std::span<const core::Track> tracks) {
-  std::vector<core::Track> result;
-  for (const core::Track& track : tracks)
-    if (track.status == core::TrackStatus::confirmed) result.push_back(track);
-  return result;
-}
-
-/// For each visible target the index of its confirmed track, or -1.
-std::vector<int> match(const std::vector<core::TargetTruth>& targets,
-                       const std::vector<core::Track>& tracks) {
-  std::vector<int> pairs(targets.size(), -1);
-  if (targets.empty() || tracks.empty()) return pairs;
-  Eigen::MatrixXd cost(static_cast<Eigen::Index>(targets.size()), static_cast<Eigen::Index>(tracks.size()));
-  for (Eigen::Index i = 0; i < cost.rows(); ++i)
-    for (Eigen::Index j = 0; j < cost.cols(); ++j) {
-      const double distance =
-          (targets[static_cast<std::size_t>(i)].position - tracks[static_cast<std::size_t>(j)].position())
-              .norm();
-      cost(i, j) = distance < kMatchDistance ? distance * distance : kUnmatched;
-    }
-  tracking::AssignmentSolver solver;
-  const auto& assigned = solver.solve(cost);
-  for (Eigen::Index i = 0; i < cost.rows(); ++i) {
-    const int j = assigned[static_cast<std::size_t>(i)];
-    if (j >= 0 && cost(i, j) < kUnmatched) pairs[static_cast<std::size_t>(i)] = j;
-  }
-  return pairs;
-}
-
-/// Sums over the pings of one run.
-struct Score {
-  int pings = 0, target_pings = 0, held = 0, false_tracks = 0;
-  double squared_error = 0.0, nees = 0.0, update_ms = 0.0;
-  std::map<int, double> first_held;  ///< Target id -> time of its first confirmed track [s].
-
-  void add(const core::GroundTruth& truth, std::span<const core::Track> all) {
-    const auto tracks = confirmed(all);
-    std::vector<core::TargetTruth> targets;
-    for (const auto& target : truth.targets)
-      if (target.visible) targets.push_back(target);
-    const auto pairs = match(targets, tracks);
-    ++pings;
-    target_pings += static_cast<int>(targets.size());
-    false_tracks += static_cast<int>(tracks.size());
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      if (pairs[i] < 0) continue;
-      const core::Track& track = tracks[static_cast<std::size_t>(pairs[i])];
-      const Eigen::Vector2d error = track.position() - targets[i].position;
-      ++held;
-      --false_tracks;
-      squared_error += error.squaredNorm();
-      nees += error.dot(track.covariance.topLeftCorner<2, 2>().llt().solve(error)) / 2.0;
-      first_held.try_emplace(targets[i].id, core::seconds(truth.utime));
-    }
-  }
-};
-
-Score run_one(const std::string& method, const sonar_sim::Scene& scene, std::uint64_t seed, int run) {
-  sonar_sim::SonarSimulator simulator(scene, seed, static_cast<std::uint64_t>(run));
-  tracking::ImageTracker tracker(method);
-  Score score;
-  while (const auto ping = simulator.next()) {
-    const core::PosedImage posed{*ping->image, ping->T_earth_sonar};
-    const double start = thread_time_ms();
-    const auto tracks = tracker.update(posed);
-    score.update_ms += thread_time_ms() - start;
-    score.add(ping->truth, tracks);
-  }
-  return score;
-}
+constexpr double kShape = 4.0;            // of the background, for which the baselines' thresholds were set
 
 class HpmhtSonar : public Experiment {
  public:
@@ -109,7 +18,7 @@ class HpmhtSonar : public Experiment {
     return "Five targets in 60 sonar images, 4 to 12 dB, beside matched filter and CFAR with nearest "
            "neighbours";
   }
-  std::string scenario() const override { return std::string("tools/scenarios/") + kScene; }
+  std::string scenario() const override { return "tools/scenarios/sonar_image.yaml"; }
   std::string plot_script() const override { return "plot_hpmht.py"; }
   std::vector<Cell> cells() const override;
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
@@ -119,41 +28,41 @@ class HpmhtSonar : public Experiment {
   void write_extras(const Drawn& drawn) const override;
 };
 
-Cell cell_of(std::string_view method, const char* situation, double shape, double snr_db) {
-  return {std::string(method), {{"situation", situation}, {"shape", shape}, {"snr_db", snr_db}}, {}};
+/// @param signature "known": the method is told that of the instrument; "found": it is not.
+Cell cell_of(const char* method, const char* signature, const Parameters& scene) {
+  Cell cell{method, {{"signature", signature}}, {}};
+  for (const auto& [name, value] : scene.values()) cell.parameters.set(name, value);
+  return cell;
 }
 
+Parameters scene_at(const char* situation, double shape, double snr_db) {
+  return {{"situation", situation}, {"shape", shape}, {"snr_db", snr_db}};
+}
+
+/// A matched filter and its block are the instrument's signature: the baselines know it.
 std::vector<Cell> HpmhtSonar::cells() const {
   std::vector<Cell> cells;
-  for (const std::string_view method : tracking::image_tracker_names()) {
+  const auto add = [&cells](const char* method, const char* signature) {
     for (const double snr_db : {4.0, 6.0, 8.0, 10.0, 12.0})
-      cells.push_back(cell_of(method, "five_targets", 4.0, snr_db));
-    cells.push_back(cell_of(method, "empty", 4.0, 8.0));
-  }
+      cells.push_back(cell_of(method, signature, scene_at("five_targets", kShape, snr_db)));
+    cells.push_back(cell_of(method, signature, scene_at("empty", kShape, kPictureSnr)));
+  };
+  add("h_pmht", "known");
+  add("h_pmht", "found");
+  add("mf_nn", "known");
+  add("cfar_nn", "known");
   // A heavier tail: the baselines' fixed thresholds were set at shape 4 and do not stand for them there.
   for (const double shape : {1.0, 0.5}) {
-    for (const double snr_db : {8.0, 10.0}) cells.push_back(cell_of("h_pmht", "five_targets", shape, snr_db));
-    cells.push_back(cell_of("h_pmht", "empty", shape, 8.0));
+    for (const double snr_db : {8.0, 10.0})
+      cells.push_back(cell_of("h_pmht", "known", scene_at("five_targets", shape, snr_db)));
+    cells.push_back(cell_of("h_pmht", "known", scene_at("empty", shape, kPictureSnr)));
   }
   return cells;
 }
 
 Metrics HpmhtSonar::run(const Cell& cell, std::uint64_t seed, int run) const {
-  const Score score = run_one(cell.method, scene_of(cell.parameters), seed, run);
-  const double pings = score.pings, held = score.held;
-  Metrics metrics;
-  metrics["false_per_scan"] = {score.false_tracks / pings, pings};
-  metrics["false_per_run"] = static_cast<double>(score.false_tracks);
-  metrics["time_ms"] = score.update_ms / pings;
-  if (score.target_pings == 0) return metrics;
-  metrics["in_track"] = {held / score.target_pings, static_cast<double>(score.target_pings)};
-  if (score.held == 0) return metrics;
-  metrics["rmse"] = {std::sqrt(score.squared_error / held), held};
-  metrics["nees"] = {score.nees / held, held};
-  double wait = 0.0;
-  for (const auto& [id, time] : score.first_held) wait += time / static_cast<double>(score.first_held.size());
-  metrics["time_to_confirm_s"] = {wait, static_cast<double>(score.first_held.size())};
-  return metrics;
+  tracking::ImageTracker tracker(cell.method, sonar_instrument(cell.parameters.text("signature") == "known"));
+  return score_run(tracker, sonar_scene(cell.parameters), seed, run).metrics();
 }
 
 /// One run at the level of the pictures: the last ping normalised, tracks with existence, truth; cells of the
@@ -161,10 +70,9 @@ Metrics HpmhtSonar::run(const Cell& cell, std::uint64_t seed, int run) const {
 void HpmhtSonar::write_extras(const Drawn& drawn) const {
   if (drawn.of_method("h_pmht").empty()) return;
   const std::string& directory = drawn.directory;
-  const sonar_sim::Scene scene =
-      scene_of({{"situation", "five_targets"}, {"shape", 4.0}, {"snr_db", kPictureSnr}});
+  const sonar_sim::Scene scene = sonar_scene(scene_at("five_targets", kShape, kPictureSnr));
   sonar_sim::SonarSimulator simulator(scene, drawn.seed);
-  tracking::ImageTracker tracker;
+  tracking::ImageTracker tracker("h_pmht", sonar_instrument(true));
   tracking::ImageBackground background;
   core::CsvWriter tracks(directory + "/sonar_tracks.csv",
                          "time_s,id,status,north_m,east_m,existence,bin,beam");

@@ -1,54 +1,36 @@
 #include "tools/experiments/track_before_detect/hpmht_video.hpp"
 
+#include <Eigen/LU>
 #include <array>
+#include <limits>
 
 #include "core/files/csv.hpp"
-#include "sonar_sim/video_stand_in.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/pgm.hpp"
-#include "tools/cli/thread_time.hpp"
+#include "tools/experiments/track_before_detect/video_run.hpp"
+#include "tracking/track_before_detect/frames/gated_centroid.hpp"
 #include "tracking/track_before_detect/frames/h_pmht.hpp"
 #include "tracking/track_before_detect/frames/immpda_ai.hpp"
-#include "tracking/track_before_detect/frames/pdim.hpp"
 
 namespace lookout::tools {
 namespace {
 
-constexpr double kStartPositionSigma = 2.0;  // [px], of the start that every method is given
-constexpr double kStartVelocitySigma = 0.2;  // [px/scan]; docs/track_before_detect.md on the unit
-constexpr int kTimedRuns = 1;                // the printed forms take seconds; times hardly vary
-constexpr int kPictureScenario = 5;          // as [Pakfiliz2018] Figures 2 and 3
-constexpr double kGreyScale = 256.0;         // grey levels to 16 bits
-
-/// One video, prepared for tracking.
-struct VideoRun {
-  sonar_sim::VideoScenario scenario;
-  std::vector<sonar_sim::VideoSample> samples;
-  std::vector<tracking::IntensityFrame> frames;  ///< Scan k from samples k and k + 1.
-  Eigen::Vector4d start{0, 0, 0, 0};
-  Eigen::Matrix4d start_covariance = Eigen::Matrix4d::Zero();
-};
-
-VideoRun make_video(int number, bool hard, std::uint64_t seed, int run) {
-  VideoRun video;
-  video.scenario = sonar_sim::video_scenarios().at(static_cast<std::size_t>(number - 1));
-  const auto stream = static_cast<std::uint64_t>(run) * 8 + static_cast<std::uint64_t>(number - 1);
-  core::Random random(seed, core::RandomStream::images, stream);
-  const sonar_sim::VideoStandIn stand_in(video.scenario,
-                                         hard ? sonar_sim::hard_video() : sonar_sim::plain_video(), random);
-  for (int k = 0; k < stand_in.num_samples(); ++k) video.samples.push_back(stand_in.render(k, random));
-  const tracking::PdimParams pdim{tracking::Polarity::dark, video.scenario.noise_level(), false};
-  const int size = video.scenario.size;
-  for (std::size_t k = 1; k < video.samples.size(); ++k)
-    video.frames.push_back(
-        tracking::pdim_frame(video.samples[k - 1].grey, video.samples[k].grey, size, size, pdim, random));
-  const double velocity_sigma = kStartVelocitySigma / video.scenario.frame_step;  // [px/frame], as the state
-  const Eigen::Array4d sigma(kStartPositionSigma, kStartPositionSigma, velocity_sigma, velocity_sigma);
-  video.start << video.samples[0].centroid, stand_in.velocity(0);
-  for (int i = 0; i < 4; ++i) video.start[i] += random.gaussian(sigma[i]);
-  video.start_covariance = sigma.square().matrix().asDiagonal();
-  return video;
-}
+constexpr int kScenarios = 8;
+constexpr int kAllRuns = std::numeric_limits<int>::max();
+constexpr int kVariantRuns = 4;  // of what is there to be compared alone
+constexpr std::array kModes{"h_pmht", "i_h_pmht_4", "i_h_pmht_1"};
+// Amplitude information, noise and signal to noise [dB]: [Pakfiliz2018] Table 2.
+constexpr std::array<VideoLevels, kScenarios> kBlockLevels{{{0.84, 8.1},
+                                                            {1.17, 7.85},
+                                                            {0.46, 8.35},
+                                                            {0.0, 6.15},
+                                                            {0.6, 5.7},
+                                                            {1.34, 6.5},
+                                                            {1.7, 7.96},
+                                                            {0.5, 8.26}}};
+constexpr int kTimedRuns = 1;         // the printed forms take seconds; times hardly vary
+constexpr int kPictureScenario = 5;   // as [Pakfiliz2018] Figures 2 and 3
+constexpr double kGreyScale = 256.0;  // grey levels to 16 bits
 
 tracking::HPmhtParams mode_of(const std::string& method) {
   if (method == "h_pmht") return tracking::standard_h_pmht();
@@ -58,6 +40,12 @@ tracking::HPmhtParams mode_of(const std::string& method) {
 /// @param printed_form the cell sums as the paper computes them, for timing; else the exact fast ones.
 std::unique_ptr<tracking::FrameTracker> make_tracker(const std::string& method, const Parameters& p,
                                                      double area, bool printed_form) {
+  if (method == "centroid_kf") {
+    tracking::GatedCentroidParams params;
+    params.dct_db = p.number("dct_db");
+    params.target_area = area;
+    return tracking::make_gated_centroid(params);
+  }
   if (method == "immpda_ai") {
     tracking::ImmpdaAiParams params;
     params.dct_db = p.number("dct_db");
@@ -68,25 +56,11 @@ std::unique_ptr<tracking::FrameTracker> make_tracker(const std::string& method, 
   if (p.text("truncation") == "zero") params = tracking::with_dark_cells(params);
   params.dct_db = p.number("dct_db");
   params.target_area = area;
+  if (p.has("variant") && p.text("variant") == "printed_q")
+    params.process_noise = tracking::ProcessNoise::printed;
   if (printed_form)
     params.form = method == "h_pmht" ? tracking::CellForm::per_cell : tracking::CellForm::separable;
   return tracking::make_h_pmht(params);
-}
-
-/// The estimates at every scan; CPU time of this thread in `cpu_ms`.
-std::vector<Eigen::Vector2d> follow(const VideoRun& video, tracking::FrameTracker& tracker, double& cpu_ms) {
-  std::vector<Eigen::Vector2d> positions;
-  const double begin = thread_time_ms();
-  tracker.add(1, video.start, video.start_covariance);
-  const auto batch = static_cast<std::size_t>(tracker.batch_length());
-  for (std::size_t k = 0; k < video.frames.size(); k += batch) {
-    const std::size_t size = std::min(batch, video.frames.size() - k);
-    const std::vector<double> steps(size, video.scenario.frame_step);
-    for (const auto& tracks : tracker.process({video.frames.data() + k, size}, steps))
-      positions.push_back(tracks.front().state.head<2>());
-  }
-  cpu_ms = thread_time_ms() - begin;
-  return positions;
 }
 
 double cpu_of(const VideoRun& video, const std::string& method, const Parameters& p) {
@@ -140,52 +114,112 @@ class HpmhtVideo : public Experiment {
   std::vector<Cell> cells() const override;
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override;
   void write_extras(const Drawn& drawn) const override;
+
+ private:
+  struct Row {
+    const char* method;
+    const char* variant;
+    const char* truncation;
+    int max_runs;
+  };
+  static void add(std::vector<Cell>& cells, const Row& row, bool printed);
+  static void add_levels(std::vector<Cell>& cells);
 };
 
-std::vector<Cell> HpmhtVideo::cells() const {
+Parameters parameters_of(const char* variant, const char* truncation, double dct_db, int scenario) {
+  return {{"variant", variant},
+          {"truncation", truncation},
+          {"dct_db", dct_db},
+          {"scenario", static_cast<double>(scenario)}};
+}
+
+/// @param printed whether the paper has a figure for it: it has none for what is ours.
+void HpmhtVideo::add(std::vector<Cell>& cells, const Row& row, bool printed) {
   const PaperTables paper;
+  for (const double dct_db : {3.0, 5.0})
+    for (int scenario = 1; scenario <= kScenarios; ++scenario)
+      cells.push_back({row.method, parameters_of(row.variant, row.truncation, dct_db, scenario),
+                       printed ? paper.at(row.method, scenario, dct_db) : std::map<std::string, double>{},
+                       row.max_runs});
+}
+
+/// Table 2: the stand-in's own levels beside the paper's.
+void HpmhtVideo::add_levels(std::vector<Cell>& cells) {
+  for (int scenario = 1; scenario <= kScenarios; ++scenario) {
+    const auto& row = sonar_sim::video_scenarios().at(static_cast<std::size_t>(scenario - 1));
+    const auto& blocks = kBlockLevels.at(static_cast<std::size_t>(scenario - 1));
+    const Parameters p = parameters_of("levels", "none", 0.0, scenario);
+    cells.push_back({"pdim", p, {{"noise_db", row.noise_db}, {"snr_db", row.snr_db}}, kVariantRuns});
+    cells.push_back(
+        {"immpda_ai", p, {{"noise_db", blocks.noise_db}, {"snr_db", blocks.snr_db}}, kVariantRuns});
+  }
+}
+
+std::vector<Cell> HpmhtVideo::cells() const {
   std::vector<Cell> cells;
-  for (const char* variant : {"plain", "hard"})
-    for (const std::string method : {"h_pmht", "i_h_pmht_4", "i_h_pmht_1", "immpda_ai"})
-      for (const std::string truncation : {"impute", "zero"}) {
-        if (method == "immpda_ai" && truncation == "zero") continue;  // it has points, no truncated cells
-        for (const double dct_db : {3.0, 5.0})
-          for (int scenario = 1; scenario <= 8; ++scenario)
-            cells.push_back({method,
-                             {{"variant", variant},
-                              {"truncation", method == "immpda_ai" ? "none" : truncation},
-                              {"dct_db", dct_db},
-                              {"scenario", static_cast<double>(scenario)}},
-                             paper.at(method, scenario, dct_db)});
-      }
+  for (const char* variant : {"plain", "hard"}) {
+    for (const char* method : kModes)
+      for (const char* truncation : {"impute", "zero"})
+        add(cells, {method, variant, truncation, kAllRuns}, true);
+    add(cells, {"immpda_ai", variant, "none", kAllRuns}, true);  // it has points, no truncated cells
+    add(cells, {"centroid_kf", variant, "none", kAllRuns}, false);
+  }
+  for (const char* variant : {"printed_q", "printed_floor"})
+    for (const char* method : kModes) add(cells, {method, variant, "impute", kVariantRuns}, true);
+  add_levels(cells);
   return cells;
+}
+
+VideoKind kind_of(const Parameters& p) {
+  const std::string variant = p.text("variant");
+  return {static_cast<int>(p.number("scenario")), variant == "hard", variant == "printed_floor"};
+}
+
+/// Squared distance from the newly covered centroid in units of the track's covariance, over the dimension.
+double nees_of(const tracking::FrameTrack& track, const sonar_sim::VideoSample& now) {
+  const Eigen::Vector2d off = track.state.head<2>() - now.new_centroid;
+  const Eigen::Matrix2d covariance = track.covariance.topLeftCorner<2, 2>();
+  return off.dot(covariance.inverse() * off) / 2.0;
+}
+
+/// Of what the paper states times of: its own forms and its rival.
+bool is_timed(const Cell& cell) {
+  return cell.parameters.text("variant") == "plain" && cell.parameters.text("truncation") != "zero" &&
+         cell.method != "centroid_kf";
 }
 
 Metrics HpmhtVideo::run(const Cell& cell, std::uint64_t seed, int run) const {
   const Parameters& p = cell.parameters;
-  const bool hard = p.text("variant") == "hard";
-  const VideoRun video = make_video(static_cast<int>(p.number("scenario")), hard, seed, run);
+  const VideoRun video = make_video(kind_of(p), seed, run);
+  if (p.text("variant") == "levels") {
+    const VideoLevels levels = cell.method == "pdim" ? pdim_levels(video) : block_levels(video);
+    return {{"noise_db", levels.noise_db}, {"snr_db", levels.snr_db}};
+  }
   double cpu_ms = 0.0;
   const auto tracker = make_tracker(cell.method, p, video.scenario.area, false);
-  const auto positions = follow(video, *tracker, cpu_ms);
-  double deviation = 0.0, visible = 0.0, hits = 0.0;
-  for (std::size_t k = 0; k < positions.size(); ++k) {
+  const auto estimates = follow(video, *tracker, cpu_ms);
+  double deviation = 0.0, visible = 0.0, hits = 0.0, nees = 0.0;
+  for (std::size_t k = 0; k < estimates.size(); ++k) {
     const sonar_sim::VideoSample& now = video.samples[k + 1];
-    deviation += (positions[k] - now.centroid).norm();
-    visible += (positions[k] - now.new_centroid).norm();
-    hits += now.box.contains(positions[k]) ? 1.0 : 0.0;
+    const Eigen::Vector2d position = estimates[k].state.head<2>();
+    deviation += (position - now.centroid).norm();
+    visible += (position - now.new_centroid).norm();
+    hits += now.box.contains(position) ? 1.0 : 0.0;
+    nees += nees_of(estimates[k], now);
   }
-  const double scans = static_cast<double>(positions.size());
-  Metrics metrics{
-      {"deviation", deviation / scans}, {"deviation_visible", visible / scans}, {"hit_rate", hits / scans}};
-  if (run < kTimedRuns && !hard) add_times(video, cell, metrics);
+  const double scans = static_cast<double>(estimates.size());
+  Metrics metrics{{"deviation", deviation / scans},
+                  {"deviation_visible", visible / scans},
+                  {"hit_rate", hits / scans},
+                  {"nees", nees / scans}};
+  if (run < kTimedRuns && is_timed(cell)) add_times(video, cell, metrics);
   return metrics;
 }
 
 /// One video of scenario 5: a frame, and where each method thinks the aircraft is.
 void HpmhtVideo::write_extras(const Drawn& drawn) const {
   const std::string& directory = drawn.directory;
-  const VideoRun video = make_video(kPictureScenario, false, drawn.seed, 0);
+  const VideoRun video = make_video({kPictureScenario, false, false}, drawn.seed, 0);
   const int size = video.scenario.size;
   GreyImage grey{size, size, video.samples[10].grey}, pdim{size, size, video.frames[9].values};
   for (double& pixel : grey.pixels) pixel *= kGreyScale;
@@ -205,8 +239,9 @@ void HpmhtVideo::write_extras(const Drawn& drawn) const {
       double cpu_ms = 0.0;
       const auto tracker =
           make_tracker(method, {{"truncation", truncation}, {"dct_db", 5.0}}, video.scenario.area, false);
-      const auto positions = follow(video, *tracker, cpu_ms);
-      for (std::size_t k = 0; k < positions.size(); ++k) write(method, truncation, k + 1, positions[k]);
+      const auto estimates = follow(video, *tracker, cpu_ms);
+      for (std::size_t k = 0; k < estimates.size(); ++k)
+        write(method, truncation, k + 1, estimates[k].state.head<2>());
     }
   }
   csv.close();

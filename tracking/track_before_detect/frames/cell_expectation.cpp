@@ -6,16 +6,17 @@
 
 namespace lookout::tracking {
 
-std::int64_t compute_axes(std::span<const CellModel> models, int columns, int rows,
+std::int64_t compute_axes(std::span<const CellModel> models, const FrameCells& cells,
                           std::vector<ModelAxes>& axes, Expectation& result) {
   result.targets.assign(models.size(), {});
   axes.resize(models.size());
   for (std::size_t k = 0; k < models.size(); ++k) {
-    axes[k].x.compute(models[k].mean.x(), models[k].variance.x(), 0, columns);
-    axes[k].y.compute(models[k].mean.y(), models[k].variance.y(), 0, rows);
+    axes[k].x.compute(models[k].mean.x(), models[k].variance.x(), 0, cells.columns, cells.moments);
+    axes[k].y.compute(models[k].mean.y(), models[k].variance.y(), 0, cells.rows, cells.moments);
     result.targets[k].mass_inside = axes[k].mass();
   }
-  return 3 * static_cast<std::int64_t>(models.size()) * (columns + rows);
+  const std::int64_t expressions = cells.moments == CellMoments::second ? 3 : 2;
+  return expressions * static_cast<std::int64_t>(models.size()) * (cells.columns + cells.rows);
 }
 
 std::unique_ptr<CellExpectation> make_cell_expectation(CellForm form, Truncation truncation,

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tracking/track_before_detect/axis_integrals.hpp"
 #include "tracking/track_before_detect/intensity_frame.hpp"
 
 namespace lookout::tracking {
@@ -62,10 +63,17 @@ class CellExpectation {
   /// `background_weight` spread evenly over all cells.
   virtual const Expectation& evaluate(double background_weight, std::span<const CellModel> models) = 0;
 
+  /// Which moments `evaluate` is to give; those that it leaves out are 0 and cost nothing. At first all.
+  void set_moments(CellMoments moments) { moments_ = moments; }
+
   /// How many integrals were evaluated so far: one per expression, cell and axis.
   std::int64_t num_integrals() const { return num_integrals_; }
 
  protected:
+  /// Integrals a cell and axis.
+  int expressions() const { return moments_ == CellMoments::second ? 3 : 2; }
+
+  CellMoments moments_ = CellMoments::second;
   std::int64_t num_integrals_ = 0;
 };
 

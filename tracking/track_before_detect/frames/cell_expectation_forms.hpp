@@ -52,8 +52,15 @@ struct ModelAxes {
   }
 };
 
+/// The cells of a frame and what is wanted of them.
+struct FrameCells {
+  int columns = 0;                            ///< Of the frame.
+  int rows = 0;                               ///< Of the frame.
+  CellMoments moments = CellMoments::second;  ///< See CellMoments.
+};
+
 /// The axes of every model over a whole frame; starts the sums of `result`. @return integrals evaluated.
-std::int64_t compute_axes(std::span<const CellModel> models, int columns, int rows,
+std::int64_t compute_axes(std::span<const CellModel> models, const FrameCells& cells,
                           std::vector<ModelAxes>& axes, Expectation& result);
 
 }  // namespace lookout::tracking

@@ -60,9 +60,9 @@ class GatedExpectation : public CellExpectation {
     ModelAxes& axes = axes_[k];
     axes.first_column = gate.first_column;
     axes.first_row = gate.first_row;
-    axes.x.compute(model.mean.x(), model.variance.x(), gate.first_column, gate.columns());
-    axes.y.compute(model.mean.y(), model.variance.y(), gate.first_row, gate.rows());
-    num_integrals_ += 3 * (gate.columns() + gate.rows());
+    axes.x.compute(model.mean.x(), model.variance.x(), gate.first_column, gate.columns(), moments_);
+    axes.y.compute(model.mean.y(), model.variance.y(), gate.first_row, gate.rows(), moments_);
+    num_integrals_ += expressions() * (gate.columns() + gate.rows());
     result_.targets[k].mass_inside = axes.mass();
     result_.total_probability += model.weight * axes.mass();
   }

@@ -38,6 +38,8 @@ class HPmht : public FrameTracker {
     check(params);
     for (int t = 0; t < params.batch_length; ++t)
       e_steps_.push_back(make_cell_expectation(params.form, params.truncation, params.gate));
+    if (!params.learn_variance)  // nothing asks for the second moments of Eq. (21), (22)
+      for (auto& e_step : e_steps_) e_step->set_moments(CellMoments::first);
     background_.resize(static_cast<std::size_t>(params.batch_length) + 1);
     noise_scale_.assign(background_.size(), 1.0);
   }

@@ -22,10 +22,6 @@ void check_sizes(std::span<const double> earlier, std::span<const double> later,
 
 }  // namespace
 
-double grey_level(double red, double green, double blue) {
-  return 0.2989 * red + 0.587 * green + 0.114 * blue;
-}
-
 IntensityFrame pdim_frame(std::span<const double> earlier, std::span<const double> later, int columns,
                           int rows, const PdimParams& params, core::Random& random) {
   check_sizes(earlier, later, columns, rows);

@@ -23,9 +23,6 @@ struct PdimParams {
   bool printed_floor = false;
 };
 
-/// Grey level of a colour, Eq. (1).
-double grey_level(double red, double green, double blue);
-
 /// The PDIM intensities of two frames of grey levels (columns * rows each), taken some frames apart.
 /// @throws std::invalid_argument where the sizes disagree, a value is not finite or a parameter is out of
 /// range.

@@ -60,15 +60,20 @@ class PerCellExpectation : public CellExpectation {
       for (int column = 0; column < frame_->columns; ++column, ++l) {
         const std::size_t at = k * num_cells() + l;
         const double weight = frame_->values[l] > threshold_ ? frame_->values[l] / total_[l] : refill;
-        const CellIntegrals in_x{probability_x_[at],
-                                 cell_first_moment(model.mean.x(), model.variance.x(), column, column + 1),
-                                 cell_second_moment(model.mean.x(), model.variance.x(), column, column + 1)};
-        const CellIntegrals in_y{probability_y_[at],
-                                 cell_first_moment(model.mean.y(), model.variance.y(), row, row + 1),
-                                 cell_second_moment(model.mean.y(), model.variance.y(), row, row + 1)};
+        const CellIntegrals in_x = moments(probability_x_[at], model.mean.x(), model.variance.x(), column);
+        const CellIntegrals in_y = moments(probability_y_[at], model.mean.y(), model.variance.y(), row);
         ModelAxes::add(weight, in_x, in_y, result_.targets[k]);
       }
-    num_integrals_ += 4 * static_cast<std::int64_t>(num_cells());
+    num_integrals_ +=
+        2 * static_cast<std::int64_t>(expressions() - 1) * static_cast<std::int64_t>(num_cells());
+  }
+
+  /// The integrals of one cell along one axis beside its probability.
+  CellIntegrals moments(double probability, double mean, double variance, int cell) const {
+    CellIntegrals integrals{probability, cell_first_moment(mean, variance, cell, cell + 1), 0.0};
+    if (moments_ == CellMoments::second)
+      integrals.second = cell_second_moment(mean, variance, cell, cell + 1);
+    return integrals;
   }
 
   Truncation truncation_;

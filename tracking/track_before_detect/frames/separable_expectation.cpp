@@ -35,7 +35,7 @@ class SeparableExpectation : public CellExpectation {
  private:
   void start(std::span<const CellModel> models) {
     result_.total_intensity = total_intensity_;
-    num_integrals_ += compute_axes(models, frame_->columns, frame_->rows, axes_, result_);
+    num_integrals_ += compute_axes(models, {frame_->columns, frame_->rows, moments_}, axes_, result_);
   }
 
   Eigen::Map<const Eigen::ArrayXd> row_of(const Eigen::ArrayXd& image, int row) const {
@@ -66,11 +66,12 @@ class SeparableExpectation : public CellExpectation {
       weight_ += (models[k].weight * axes_[k].y.probability()[at]) * array(axes_[k].x.probability());
     weight_ = row_of(intensity_, row) / weight_;
     if (refill > 0.0) weight_ += refill * (1.0 - row_of(displayed_, row));
+    const bool second = moments_ == CellMoments::second;
     for (std::size_t k = 0; k < models.size(); ++k) {
       const ModelAxes& axes = axes_[k];
       const CellIntegrals in_x{(weight_ * array(axes.x.probability())).sum(),
                                (weight_ * array(axes.x.first())).sum(),
-                               (weight_ * array(axes.x.second())).sum()};
+                               second ? (weight_ * array(axes.x.second())).sum() : 0.0};
       ModelAxes::add(1.0, in_x, {axes.y.probability()[at], axes.y.first()[at], axes.y.second()[at]},
                      result_.targets[k]);
     }

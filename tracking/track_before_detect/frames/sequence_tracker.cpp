@@ -12,6 +12,9 @@ constexpr double kGateSigmas = 3.5;      // half the gate's side
 constexpr double kBlockSigmas = 1.0;     // half the block's side
 // A frame has fewer blocks than a ping, so that one rank says less: a lower bar.
 constexpr double kConfirmExistence = 0.99;
+constexpr double kBirthExpectation = 5.0;
+constexpr double kBirthsPerFrame = 8.0;
+constexpr int kMinAge = 2;
 constexpr double kSpotVariance = 1.0;           // [px^2] of a spot's position
 constexpr double kSpotSpeedVariance = 0.5;      // [px^2 / frame^2]
 constexpr double kSpotReach = 3.0;              // [px] in which a method's estimate is that of its spot
@@ -27,7 +30,8 @@ int odd_width(double half) {
 CellTrackerParams pixel_tracker_params(const TbdParams& params) {
   const double sigma = std::max(kSmallestSigma, std::sqrt(params.target_area / (4.0 * std::numbers::pi)));
   CellTrackerParams cells;
-  cells.measurement.sigma = cells.scales.filter.sigma = {sigma, sigma};
+  cells.scales.filter.sigma = {sigma, sigma};
+  cells.measurement.sigma = cells.scales.filter.sigma / std::numbers::sqrt2;
   cells.measurement.gate_columns = cells.measurement.gate_rows = odd_width(kGateSigmas * sigma);
   cells.scales.filter.block_columns = cells.scales.filter.block_rows = odd_width(kBlockSigmas * sigma);
   cells.measurement.threshold = displayed_threshold(1.0, params.dct_db);
@@ -37,6 +41,9 @@ CellTrackerParams pixel_tracker_params(const TbdParams& params) {
   cells.standing.judged = false;
   cells.scales.same_on_both_axes = true;
   cells.existence.confirm_existence = kConfirmExistence;
+  cells.existence.birth_expectation = kBirthExpectation;
+  cells.existence.births_per_frame = kBirthsPerFrame;
+  cells.existence.min_age = kMinAge;
   cells.existence.merge_distance = sigma;
   cells.existence.birth_distance = kGateSigmas * sigma;
   cells.existence.sidelobe_ratio = 0.0;  // a picture has no beam pattern

@@ -36,7 +36,7 @@ class SparseExpectation : public CellExpectation {
  private:
   void start(std::span<const CellModel> models) {
     result_.total_intensity = total_intensity_;
-    num_integrals_ += compute_axes(models, columns_, rows_, axes_, result_);
+    num_integrals_ += compute_axes(models, {columns_, rows_, moments_}, axes_, result_);
   }
 
   /// P_l of the displayed cells and P_t.

@@ -42,6 +42,12 @@ Eigen::Vector2d SonarCellGeometry::position_of(const Eigen::Vector2d& cell) cons
   return core::transform(T_earth_sonar_, core::from_polar(range, bearing));
 }
 
+CellWindow window_about(const Eigen::Vector2d& cell, const Eigen::Vector2d& reach) {
+  const Eigen::Array2i low = (cell - reach).array().floor().cast<int>();
+  const Eigen::Array2i high = (cell + reach).array().ceil().cast<int>();
+  return {low.x(), high.x(), low.y(), high.y()};
+}
+
 bool same_cells(const core::SonarImage& a, const core::SonarImage& b) {
   return a.bearings == b.bearings && a.num_bins == b.num_bins && a.first_range == b.first_range &&
          a.range_step == b.range_step;

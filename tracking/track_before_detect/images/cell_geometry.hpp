@@ -5,6 +5,7 @@
 
 #include "core/beam_bearings.hpp"
 #include "core/sonar_image.hpp"
+#include "tracking/track_before_detect/intensity_frame.hpp"
 
 namespace lookout::tracking {
 
@@ -57,6 +58,9 @@ class PixelGeometry : public CellGeometry {
  private:
   int columns_, rows_;
 };
+
+/// The cells within `reach` of a place along columns and rows, whether they lie in the image or not.
+CellWindow window_about(const Eigen::Vector2d& cell, const Eigen::Vector2d& reach);
 
 /// Whether two images have the same beams and bins.
 bool same_cells(const core::SonarImage& a, const core::SonarImage& b);

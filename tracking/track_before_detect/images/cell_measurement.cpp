@@ -10,6 +10,7 @@
 namespace lookout::tracking {
 namespace {
 
+constexpr double kEchoVariance = 2.885;       // of a cell's power over that of the echo in it: 2 / ln 2
 constexpr double kCellVariance = 1.0 / 12.0;  // of an even spread over one cell
 constexpr double kLeastInformation = 0.25;    // share of the information that a hidden assignment leaves
 constexpr double kLongestStep = 1.5;          // [signatures] of one iteration
@@ -19,6 +20,14 @@ constexpr double kMostSurprise = 8.0;         // that one frame counts for
 
 bool odd(int n) {
   return n >= 1 && n % 2 == 1;
+}
+
+/// Covariance of the error after a measurement of variance `noise` that is taken in with any gain.
+Eigen::Matrix4d error_after(const Eigen::Matrix4d& before, const Eigen::Matrix<double, 4, 2>& gain,
+                            const Eigen::Matrix2d& jacobian, const Eigen::Array2d& noise) {
+  Eigen::Matrix4d kept = Eigen::Matrix4d::Identity();
+  kept.leftCols<2>() -= gain * jacobian;
+  return kept * before * kept.transpose() + gain * noise.matrix().asDiagonal() * gain.transpose();
 }
 
 }  // namespace
@@ -62,6 +71,7 @@ void CellMeasurement::start(const ScaleSpace& scales, const CellGeometry& geomet
     const ScaledFrame& scaled = scales.scales()[cloud.scale];
     cloud.predicted = tracks[k].state;
     cloud.covariance = tracks[k].covariance;
+    cloud.error = tracks[k].error;
     cloud.view = scaled.to_scale(view);
     cloud.active = view.inside;
     cloud.found = false;
@@ -98,7 +108,7 @@ void CellMeasurement::find_neighbours(const ScaleSpace& scales, std::size_t k) {
 }
 
 /// What another target gives to a cell of a scale. Where it is measured in another scale: by its density
-/// there; the deviation of a pooled cell, its unit, falls as the root of the cells pooled.
+/// there; the mean power of a pooled cell's noise, its unit, falls as the number of the cells pooled.
 double CellMeasurement::intensity_of(const ScaleSpace& scales, const Cloud& cloud, const ScaledFrame& scaled,
                                      int column, int row) const {
   const ScaledFrame& own = scales.scales()[cloud.scale];
@@ -112,7 +122,7 @@ double CellMeasurement::intensity_of(const ScaleSpace& scales, const Cloud& clou
   const Eigen::Array2d sigma = params_.sigma.array() * ratio;
   const Eigen::Array2d off = (Eigen::Array2d(column + 0.5, row + 0.5) - cloud.mean.array() * ratio) / sigma;
   const double density = std::exp(-0.5 * off.square().sum()) / (2.0 * std::numbers::pi * sigma.prod());
-  return cloud.intensity * std::sqrt(ratio.prod()) * density;
+  return cloud.intensity * density;
 }
 
 /// Shares each cell of the gate among background and targets.
@@ -131,9 +141,11 @@ void CellMeasurement::collect(const ScaleSpace& scales, std::size_t k) {
         expected += intensity_of(scales, clouds_[n], scaled, column, row);
       const double share = own.intensity * px * py / expected;
       const Eigen::Array2d off(column + 0.5 - own.mean.x(), row + 0.5 - own.mean.y());
-      sums.noise += share * share * off.square();
-      const double value = scaled.frame.at(column, row);
-      if (value <= params_.threshold) continue;
+      const double variance = scaled.displayed_variance + kEchoVariance * own.intensity * px * py;
+      sums.noise += share * share * variance * off.square();
+      const double amplitude = scaled.frame.at(column, row);
+      if (amplitude <= params_.threshold) continue;
+      const double value = amplitude * amplitude;
       sums.intensity += value * share;
       sums.missing += value * share * ((1.0 - share) * off.square() + kCellVariance);
       const double weight = own.intensity * value / expected;
@@ -155,8 +167,8 @@ void CellMeasurement::correct(const ScaledFrame& scaled, const CellGeometry& geo
   const Eigen::Array2d step =
       (sums.first.array() / (sums.intensity * kept)).cwiseMax(-longest).cwiseMin(longest);
   const Eigen::Vector2d measured = cloud.mean + step.matrix();
-  const Eigen::Array2d noise = params_.variance_factor * scaled.correlation * scaled.displayed_variance *
-                               sums.noise / (sums.intensity * kept).square();
+  const Eigen::Array2d noise =
+      params_.variance_factor * scaled.correlation * sums.noise / (sums.intensity * kept).square();
   const Eigen::Matrix<double, 4, 2> PH = cloud.covariance.leftCols<2>() * cloud.view.jacobian.transpose();
   Eigen::Matrix2d S = cloud.view.jacobian * PH.topRows<2>();
   S.diagonal() += noise.matrix();
@@ -169,6 +181,7 @@ void CellMeasurement::correct(const ScaledFrame& scaled, const CellGeometry& geo
   track.state = cloud.predicted + gain * innovation;
   track.covariance = cloud.covariance - gain * PH.transpose();
   track.covariance = (0.5 * (track.covariance + track.covariance.transpose())).eval();
+  track.error = error_after(cloud.error, gain, cloud.view.jacobian, noise);
   cloud.mean = scaled.to_scale(geometry.observe(track.state.head<2>())).cell;
 }
 
@@ -181,6 +194,7 @@ void CellMeasurement::finish(const Cloud& cloud, CellTrack& track) const {
   if (cloud.found) return;
   track.state = cloud.predicted;
   track.covariance = cloud.covariance;
+  track.error = cloud.error;
 }
 
 }  // namespace lookout::tracking

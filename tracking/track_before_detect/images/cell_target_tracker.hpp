@@ -15,9 +15,13 @@ namespace lookout::tracking {
 struct CellTrack {
   std::int64_t id = 0;                ///< Unique within a run, never used again.
   Eigen::Vector4d state{0, 0, 0, 0};  ///< Position, velocity; of a sonar image north, east [m, m/s].
-  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`.
-  double existence = 0.0;                                ///< Probability that there is a target.
-  double intensity = 0.0;                                ///< Smoothed lambda [background level].
+  /// Of `state` for a target that turns as much as the filter allows for: what gates and gains follow.
+  Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
+  /// Of the error of `state` for a target that turns as targets mostly do, under the same gains: what is
+  /// published, but for `systematic`.
+  Eigen::Matrix4d error = Eigen::Matrix4d::Zero();
+  double existence = 0.0;    ///< Probability that there is a target.
+  double intensity = 0.0;    ///< Smoothed lambda [background level].
   bool measured = false;     ///< Whether the last frame held intensity of its signature.
   bool confirmed = false;    ///< Once true, it stays so.
   double moving = 1.0;       ///< Probability that it moves over ground.
@@ -35,7 +39,7 @@ struct CellTrack {
 
   static constexpr std::size_t kMostScales = 64;  ///< That a frame is looked at in.
   Eigen::Matrix2d systematic =
-      Eigen::Matrix2d::Zero();  ///< Error of the position that repeats, beside `covariance`.
+      Eigen::Matrix2d::Zero();  ///< Error of the position that repeats, beside `error`.
   /// ln of the probability of its block without a target, by scale, smoothed.
   std::array<float, kMostScales> scale_score{};
 };

@@ -106,7 +106,7 @@ void ImageTracker::publish(const std::vector<CellTrack>& tracks) {
     out.id = track.id;
     out.status = status_of(track);
     out.state = track.state;
-    out.covariance = track.covariance;
+    out.covariance = track.error;
     out.covariance.topLeftCorner<2, 2>() += track.systematic;
     out.existence = track.existence;
     out.first_utime = core::microseconds(track.first_time);

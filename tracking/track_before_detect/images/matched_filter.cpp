@@ -5,10 +5,12 @@
 #include <numeric>
 
 #include "core/parameter_check.hpp"
+#include "tracking/detection/peak_interpolation.hpp"
 
 namespace lookout::tracking {
 namespace {
 
+constexpr double kCellCentre = 0.5;
 constexpr double kKernelReach = 2.7;  // standard deviations: 7 and 5 taps at the default signature
 
 std::vector<double> gaussian_kernel(double sigma) {
@@ -143,6 +145,14 @@ void MatchedFilter::find_peaks(double threshold, std::vector<FramePeak>& peaks) 
     }
   std::sort(peaks.begin(), peaks.end(),
             [](const FramePeak& a, const FramePeak& b) { return a.value > b.value; });
+}
+
+Eigen::Vector2d MatchedFilter::place_of(const FramePeak& peak) const {
+  const int x = peak.column, y = peak.row;
+  Eigen::Vector2d place(x + kCellCentre, y + kCellCentre);
+  if (x > 0 && x + 1 < columns_) place.x() += parabola_top(at(x - 1, y), peak.value, at(x + 1, y)).place;
+  if (y > 0 && y + 1 < rows_) place.y() += parabola_top(at(x, y - 1), peak.value, at(x, y + 1)).place;
+  return place;
 }
 
 }  // namespace lookout::tracking

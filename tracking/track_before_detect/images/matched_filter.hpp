@@ -49,6 +49,10 @@ class MatchedFilter {
   /// strongest first.
   void find_peaks(double threshold, std::vector<FramePeak>& peaks) const;
 
+  /// Where a peak lies between the cells [cells, centres at .5]: the tops of the parabolas through its value
+  /// and those of its neighbours, along columns and along rows; at the border its cell's own centre.
+  Eigen::Vector2d place_of(const FramePeak& peak) const;
+
   const std::vector<double>& filtered() const { return filtered_; }  ///< Row by row.
   std::span<const double> tiles() const { return tiles_; }  ///< Maxima of the tiling blocks, ascending.
   /// Filtered amplitude that a constant frame of level 1 would have, its mean not being taken off.

@@ -38,10 +38,6 @@ MatchedFilterParams filter_of(const PeakTrackerParams& params) {
   return filter;
 }
 
-Eigen::Vector2d centre_of(const FramePeak& peak) {
-  return {peak.column + 0.5, peak.row + 0.5};
-}
-
 }  // namespace
 
 PeakTrackerParams matched_filter_baseline() {
@@ -51,7 +47,7 @@ PeakTrackerParams matched_filter_baseline() {
 PeakTrackerParams cfar_baseline() {
   PeakTrackerParams params;
   params.detector = PeakDetector::cell_cfar;
-  params.threshold = 3.2;
+  params.threshold = 2.75;
   return params;
 }
 
@@ -98,6 +94,10 @@ void PeakTracker::detect(const IntensityFrame& frame) {
     filter_.apply(frame);
   }
   filter_.find_peaks(params_.threshold, peaks_);
+  places_.clear();
+  for (const FramePeak& peak : peaks_)
+    places_.push_back(params_.between_cells ? filter_.place_of(peak)
+                                            : Eigen::Vector2d(peak.column + 0.5, peak.row + 0.5));
 }
 
 void PeakTracker::predict(double time) {
@@ -126,7 +126,7 @@ void PeakTracker::associate(const CellGeometry& geometry, double time) {
     const CellView view = geometry.observe(tracks_[k].state.head<2>());
     const Eigen::Matrix2d S_inverse = innovation_covariance(tracks_[k], view).inverse();
     for (std::size_t j = 0; j < peaks_.size(); ++j) {
-      const Eigen::Vector2d residual = centre_of(peaks_[j]) - view.cell;
+      const Eigen::Vector2d residual = places_[j] - view.cell;
       const double distance = residual.dot(S_inverse * residual);
       cost(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)) =
           distance < params_.gate ? distance : kNoMatch;
@@ -143,7 +143,7 @@ void PeakTracker::associate(const CellGeometry& geometry, double time) {
     ++lives_[k].hits;
     used_[static_cast<std::size_t>(j)] = 1;
     tracks_[k].last_detection_time = time;
-    correct(tracks_[k], view, centre_of(peaks_[static_cast<std::size_t>(j)]));
+    correct(tracks_[k], view, places_[static_cast<std::size_t>(j)]);
   }
 }
 
@@ -161,6 +161,7 @@ void PeakTracker::confirm_and_end() {
     CellTrack& track = tracks_[k];
     if (lives_[k].hits >= params_.confirm_hits) track.confirmed = true;
     track.existence = track.confirmed ? 1.0 : 0.5;
+    track.error = track.covariance;
     const bool too_slow = !track.confirmed && track.age + 1 >= params_.confirm_window;
     const bool silent = lives_[k].misses >= params_.max_misses;
     if (too_slow || silent || !track.inside || track.state.tail<2>().norm() > params_.max_speed) continue;
@@ -176,11 +177,12 @@ void PeakTracker::start_tracks(const CellGeometry& geometry, double time) {
     if (used_[j] != 0 || static_cast<int>(tracks_.size()) >= params_.max_tracks) continue;
     CellTrack track;
     track.id = next_id_++;
-    track.state.head<2>() = geometry.position_of(centre_of(peaks_[j]));
+    track.state.head<2>() = geometry.position_of(places_[j]);
     const Eigen::Matrix2d to_position = geometry.observe(track.state.head<2>()).jacobian.inverse();
     const Eigen::Vector2d cells = params_.measurement_sigma.array().square();
     track.covariance.topLeftCorner<2, 2>() = to_position * cells.asDiagonal() * to_position.transpose();
     track.covariance(2, 2) = track.covariance(3, 3) = params_.start_speed_sigma * params_.start_speed_sigma;
+    track.error = track.covariance;
     track.existence = 0.5;
     track.first_time = track.last_detection_time = time;
     tracks_.push_back(track);

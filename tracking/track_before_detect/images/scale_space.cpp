@@ -55,11 +55,11 @@ void standardise(IntensityFrame& frame, std::vector<double>& sample) {
   for (double& value : frame.values) value = kRayleighMedian + scale * (value - median);
 }
 
-/// Mean and variance of what cells show above the threshold.
+/// Mean and variance of the power that cells show above the threshold.
 void measure_displayed(double threshold, ScaledFrame& scaled) {
   double sum = 0.0, squares = 0.0;
   for (const double value : scaled.frame.values) {
-    const double shown = value > threshold ? value : 0.0;
+    const double shown = value > threshold ? value * value : 0.0;
     sum += shown;
     squares += shown * shown;
   }

@@ -45,8 +45,8 @@ struct ScaledFrame {
   std::vector<float> unrest;
   std::vector<float> power;         ///< By cell, mean square of what the filter gave, over that of all cells.
   double correlation = 1.0;         ///< Variance of the filtered frame over that of white cells, >= 1.
-  double displayed_mean = 0.2;      ///< Intensity of a cell above the threshold, on average.
-  double displayed_variance = 0.4;  ///< Of a cell whose intensity counts above the threshold alone.
+  double displayed_mean = 0.2;      ///< Power of a cell above the threshold, on average.
+  double displayed_variance = 0.4;  ///< Of a cell whose power counts above the threshold alone.
 
   /// How many cells of another scale one of these covers along columns and rows.
   Eigen::Array2d cells_of(const ScaledFrame& other) const;
@@ -72,7 +72,7 @@ struct Candidate {
 class ScaleSpace {
  public:
   /// @throws std::invalid_argument naming the parameter out of range.
-  /// @param threshold of displayed cells [background level].
+  /// @param threshold of displayed cells.
   ScaleSpace(const ScaleSpaceParams& params, double threshold);
 
   /// Takes a frame. Blocks of the windows, in cells of the frame, do not count as background.

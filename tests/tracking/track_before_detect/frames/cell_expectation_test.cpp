@@ -31,8 +31,9 @@ INSTANTIATE_TEST_SUITE_P(Both, Forms, ::testing::Values(Truncation::impute, Trun
 TEST(CellExpectation, CountsOneIntegralPerExpressionCellAndAxis) {
   const IntensityFrame frame{200, 200, std::vector<double>(40000, 1.0)};
   const std::vector<CellModel> one{{{100.0, 100.0}, {8.0, 8.0}, 0.95}};
-  const auto count = [&](CellForm form) {
+  const auto count = [&](CellForm form, CellMoments moments = CellMoments::second) {
     const auto e_step = make_cell_expectation(form, Truncation::impute);
+    e_step->set_moments(moments);
     e_step->prepare(frame, 0.5);
     e_step->evaluate(0.05, one);
     return e_step->num_integrals();
@@ -40,6 +41,11 @@ TEST(CellExpectation, CountsOneIntegralPerExpressionCellAndAxis) {
   EXPECT_EQ(count(CellForm::per_cell), 240000);  // 3 expressions x 2 axes x 40000 cells; printed twice that
   EXPECT_EQ(count(CellForm::separable), 1200);   // 3 x (200 + 200); printed 2400
   EXPECT_EQ(count(CellForm::sparse), 1200);
+  // Without the second moments, which one iteration with R fixed never asks for: two expressions of the
+  // three.
+  EXPECT_EQ(count(CellForm::per_cell, CellMoments::first), 160000);
+  EXPECT_EQ(count(CellForm::separable, CellMoments::first), 800);
+  EXPECT_EQ(count(CellForm::sparse, CellMoments::first), 800);
 }
 
 TEST(CellExpectation, ExpectedIntensitiesAddUpToTheDisplayedTotal) {

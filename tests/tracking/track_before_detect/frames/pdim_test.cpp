@@ -9,10 +9,6 @@
 namespace lookout::tracking {
 namespace {
 
-TEST(Pdim, GreyLevelOfWhiteIsItsLevel) {
-  EXPECT_NEAR(grey_level(100.0, 100.0, 100.0), 100.0, 0.02);
-}
-
 TEST(Pdim, EitherPolarityShowsThePresentPlace) {
   core::Random random(1);
   const std::vector<double> sky(16, 100.0);

@@ -56,9 +56,9 @@ TEST(SequenceTracker, WhereTheMethodDepartsTheSpotCounts) {
 TEST(SequenceTracker, TheSignatureFollowsTheArea) {
   TbdParams params;
   params.target_area = 4.0 * M_PI * 9.0;  // A disc of variance 9 along each axis.
-  EXPECT_NEAR(pixel_tracker_params(params).measurement.sigma.x(), 3.0, 1e-12);
+  EXPECT_NEAR(pixel_tracker_params(params).scales.filter.sigma.x(), 3.0, 1e-12);
   params.target_area = 0.1;  // A point still fills about a pixel.
-  EXPECT_NEAR(pixel_tracker_params(params).measurement.sigma.x(), 0.75, 1e-12);
+  EXPECT_NEAR(pixel_tracker_params(params).scales.filter.sigma.x(), 0.75, 1e-12);
 }
 
 TEST(SequenceTracker, RefusesAnUnknownMethod) {

@@ -75,7 +75,7 @@ TEST(CellMeasurement, WhatLiesOutsideTheGateIsNotTheTarget) {
   tracks[0].state.head<2>() = Eigen::Vector2d(56.0, 40.0);
   tracks[0].covariance = Eigen::Vector4d(1e-3, 1e-3, 0.1, 0.1).asDiagonal();
   tracks[0].intensity = 20.0;
-  measure(blobs({{59.0, 40.0}}, 20.0, random), tracks);
+  measure(blobs({{58.0, 40.0}}, 20.0, random), tracks);
   EXPECT_FALSE(tracks[0].measured);
   EXPECT_EQ(tracks[0].state[0], 56.0);
 }

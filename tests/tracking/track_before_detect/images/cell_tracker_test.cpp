@@ -78,6 +78,22 @@ TEST(CellTracker, WhatStandsIsClaimedAsBackgroundAndConfirmedNoLonger) {
     EXPECT_FALSE(track.confirmed && (track.state.head<2>() - Eigen::Vector2d(50.0, 40.0)).norm() < 3.0);
 }
 
+// Noise stands nowhere: taken for background its cells would have kept a level learnt of a few pings, and
+// from those false tracks rose.
+TEST(CellTracker, NoiseIsNotClaimedAsStanding) {
+  core::Random random(1005);
+  CellTrackerParams params = of_pictures();
+  params.standing.judged = true;
+  CellTracker tracker(params);
+  const PixelGeometry geometry(120, 80);
+  std::size_t claimed = 0;
+  for (int t = 0; t < 40; ++t) {
+    tracker.update(blobs({}, 0.0, random), geometry, t);
+    claimed += tracker.claims()->standing.size();
+  }
+  EXPECT_LE(claimed, 2u);
+}
+
 TEST(CellTracker, ATargetFasterThanItsSignatureAFrameIsFollowed) {
   core::Random random(1004);
   CellTrackerParams params = of_pictures();

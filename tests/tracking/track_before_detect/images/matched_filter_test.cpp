@@ -61,6 +61,24 @@ TEST(MatchedFilter, FindsTheOnePeakAndRanksItFirst) {
   EXPECT_LT(filter.rank(peaks[0].value), 0.005);  // 400 blocks, none reaches it but its own
 }
 
+// A blob half of the way to the next column and a fifth of that to the next row, as wide as the filter.
+TEST(MatchedFilter, APeakLiesBetweenTheCells) {
+  IntensityFrame frame{100, 60, std::vector<double>(6000, 1.0)};
+  for (int row = 20; row < 40; ++row)
+    for (int column = 30; column < 50; ++column) {
+      const double x = (column + 0.5 - 40.9) / 1.1, y = (row + 0.5 - 30.6) / 0.75;
+      frame.values[frame.index(column, row)] += 9.0 * std::exp(-0.5 * (x * x + y * y));
+    }
+  MatchedFilter filter;
+  filter.apply(frame);
+  std::vector<FramePeak> peaks;
+  filter.find_peaks(3.0, peaks);
+  ASSERT_EQ(peaks.size(), 1u);
+  EXPECT_NEAR(filter.place_of(peaks[0]).x(), 40.9, 0.05);
+  EXPECT_NEAR(filter.place_of(peaks[0]).y(), 30.6, 0.05);
+  EXPECT_EQ(filter.place_of({0, 0, 1.0}), Eigen::Vector2d(0.5, 0.5));  // nothing lies beyond the corner
+}
+
 TEST(MatchedFilter, AFlatFrameRanksNothing) {
   MatchedFilter filter;
   filter.apply({50, 30, std::vector<double>(1500, 7.0)});

@@ -1,0 +1,81 @@
+#include "tracking/track_before_detect/images/cell_standing.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/tracking/track_before_detect/blobs.hpp"
+
+namespace lookout::tracking {
+namespace {
+
+const PixelGeometry kGeometry(120, 80);
+
+ScaleSpace seen() {
+  core::Random random(1000);
+  ScaleSpaceParams params;
+  params.same_on_both_axes = true;
+  params.largest = {1.5, 1.5};
+  ScaleSpace scales(params, 1.9);
+  scales.apply(blobs({}, 0.0, random), {1.0, 1.0}, {});
+  return scales;
+}
+
+/// Followed for ten frames from (40, 40), its velocity known within a tenth.
+CellTrack track_that_went(const Eigen::Vector2d& way) {
+  CellTrack track;
+  track.age = 10;
+  track.first_position = {40.0, 40.0};
+  track.state << track.first_position + way, way / track.age;
+  track.covariance = Eigen::Vector4d(0.1, 0.1, 0.01, 0.01).asDiagonal();
+  return track;
+}
+
+double moving_of(const Eigen::Vector2d& way) {
+  const CellStanding standing({});
+  CellTrack track = track_that_went(way);
+  standing.judge_motion(seen(), kGeometry.observe(track.state.head<2>()), 10.0, track);
+  return track.moving;
+}
+
+TEST(CellStanding, WhatHasMadeAWayMovesAndWhatHasNotStands) {
+  EXPECT_GT(moving_of({15.0, 0.0}), 0.99);
+  EXPECT_LT(moving_of({0.1, 0.0}), 0.3);
+}
+
+TEST(CellStanding, TracksOfTheFirstFramesHaveTimeToShowThatTheyMove) {
+  CellStandingParams params;
+  CellStanding standing(params);
+  for (int t = 0; t < params.early_frames; ++t) standing.begin(t);
+  CellTrack track = track_that_went({0.0, 0.0});
+  track.moving = 0.0;
+  track.first_time = 1.0;
+  EXPECT_FALSE(standing.stands(track));
+  track.age = params.early_age;
+  EXPECT_TRUE(standing.stands(track));
+  track.age = params.min_age;
+  track.first_time = params.early_frames;  // it began when the background was known
+  EXPECT_TRUE(standing.surely_stands(track));
+}
+
+TEST(CellStanding, APlaceIsRememberedForAMinute) {
+  const CellStandingParams params;
+  CellStanding standing(params);
+  const ScaleSpace scales = seen();
+  standing.remember({50.0, 40.0}, 0.0);
+  const Candidate there{0, {50.5, 40.0}, 0.0, 0.0}, elsewhere{0, {70.0, 40.0}, 0.0, 0.0};
+  EXPECT_EQ(standing.first_odds(scales, kGeometry, there), params.known_odds);
+  EXPECT_EQ(standing.first_odds(scales, kGeometry, elsewhere), params.moving_odds);
+  standing.forget_old(params.memory + 1.0);
+  EXPECT_EQ(standing.first_odds(scales, kGeometry, there), params.moving_odds);
+}
+
+TEST(CellStanding, OnlyWhatIsNewOrSurelyMovesMayBeATarget) {
+  const CellStanding standing({});
+  CellTrack track = track_that_went({0.0, 0.0});
+  EXPECT_TRUE(standing.may_be_target(track));
+  track.age = 100;
+  track.moving = 0.5;
+  EXPECT_FALSE(standing.may_be_target(track));
+}
+
+}  // namespace
+}  // namespace lookout::tracking

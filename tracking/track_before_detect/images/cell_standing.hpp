@@ -1,0 +1,53 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "tracking/track_before_detect/images/cell_geometry.hpp"
+#include "tracking/track_before_detect/images/cell_target_tracker.hpp"
+#include "tracking/track_before_detect/images/cell_tracker_params.hpp"
+#include "tracking/track_before_detect/images/scale_space.hpp"
+
+namespace lookout::tracking {
+
+/// Tells tracks of what stands over ground from those of what moves, and remembers where something stood.
+class CellStanding {
+ public:
+  /// The parameters must have been checked.
+  explicit CellStanding(const CellStandingParams& params) : params_(params) {}
+
+  /// Begins the frame at `time` [s].
+  void begin(double time);
+  /// Whether the track moves, by its velocity and by the way that it has made: on structure that glitters a
+  /// track wanders to and fro within its signature.
+  /// @param view of the track in cells of the frame.
+  void judge_motion(const ScaleSpace& scales, const CellView& view, double time, CellTrack& track) const;
+  /// Whether the track counts as standing.
+  bool stands(const CellTrack& track) const;
+  /// The same, and it is old enough to be given up for it.
+  bool surely_stands(const CellTrack& track) const { return stands(track) && track.age >= params_.min_age; }
+  /// Whether the track may be a target: it is new, or it surely moves.
+  bool may_be_target(const CellTrack& track) const;
+  /// Prior odds that what begins at a peak moves.
+  double first_odds(const ScaleSpace& scales, const CellGeometry& geometry, const Candidate& peak) const;
+  /// Keeps a place where something stands.
+  void remember(const Eigen::Vector2d& position, double time);
+  void forget_old(double time);  ///< Places older than the memory.
+  void reset();                  ///< Forgets all places; what is seen next is new.
+
+ private:
+  struct Place {
+    Eigen::Vector2d position;
+    double time;
+  };
+  double way_ratio(const Eigen::Vector2d& way, const Eigen::Matrix2d& standing) const;
+  double motion_ratio(const Eigen::Vector2d& v, const Eigen::Matrix2d& standing) const;
+  bool known_at(const ScaleSpace& scales, const CellGeometry& geometry, const Candidate& candidate) const;
+
+  CellStandingParams params_;
+  std::vector<Place> places_;
+  double learnt_time_ = 0.0;  ///< Tracks before it began while the background was unknown [s].
+  int frames_ = 0;
+};
+
+}  // namespace lookout::tracking
