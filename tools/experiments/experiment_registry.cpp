@@ -13,6 +13,7 @@
 #include "tools/experiments/track_before_detect/hpmht_curves.hpp"
 #include "tools/experiments/track_before_detect/hpmht_sonar.hpp"
 #include "tools/experiments/track_before_detect/hpmht_video.hpp"
+#include "tools/experiments/track_before_detect/image_sea.hpp"
 #include "tools/experiments/tracking/csht_tracking.hpp"
 #include "tools/experiments/tracking/faults.hpp"
 #include "tools/experiments/tracking/limits.hpp"
@@ -46,6 +47,7 @@ const std::array kExperiments{
     ExperimentEntry{"hpmht-video", make_hpmht_video},
     ExperimentEntry{"hpmht-sonar", make_hpmht_sonar},
     ExperimentEntry{"hpmht-curves", make_hpmht_curves},
+    ExperimentEntry{"image-sea", make_image_sea},
     ExperimentEntry{"t2gt", make_t2gt},
     ExperimentEntry{"two-uuv", make_two_uuv},
 };

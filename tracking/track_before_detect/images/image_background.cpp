@@ -12,13 +12,15 @@ namespace {
 constexpr int kMostOfAMedian = 160;     // values that a median over beams or bins is taken of
 constexpr int kLattice = 16;            // cells between the places at which the sonar's motion is evaluated
 constexpr float kStandingStill = 0.5f;  // [cells] of motion since the memory's pose that need no following
+constexpr double kMiddle = 0.5, kLoudShare = 0.75;  // of values in order
 constexpr float kGoldenShare = 0.618034f;
+constexpr char kLearnt = 0, kKept = 1, kStanding = 2;  // how a cell is learnt
 
-double median_in_place(std::vector<double>& values) {
+double quantile_in_place(std::vector<double>& values, double share) {
   if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 int stride_of(int size) {
@@ -33,6 +35,10 @@ ImageBackground::ImageBackground(const ImageBackgroundParams& params) : params_(
   core::require_positive("prior_pings", params.prior_pings);
   core::require(params.most_pings >= 1, "most_pings must be >= 1", params.most_pings);
   core::require(params.swift_pings >= 1, "swift_pings must be >= 1", params.swift_pings);
+  core::require(params.spill >= 0.0 && params.spill <= 1.0, "spill must be in [0, 1]", params.spill);
+  core::require_positive("hold", params.hold);
+  core::require(params.least_hold_pings >= 1, "least_hold_pings must be >= 1", params.least_hold_pings);
+  core::require_positive("least_share", params.least_share);
   core::require_positive("least_level", params.least_level);
 }
 
@@ -43,23 +49,72 @@ void ImageBackground::reset() {
 const IntensityFrame& ImageBackground::normalise(const core::PosedImage& posed) {
   const core::SonarImage& image = posed.image;
   follow(posed);
+  interval_ = pings_ > 0 ? core::seconds(image.utime - last_utime_) : 0.0;
+  last_utime_ = image.utime;
   learn_profile(image);
   smooth_profile(image.range_step);
   learn_gains(image);
-  image_ = image.intensity;
+  find_usual(image);
+  combine();
+  return frame_;
+}
+
+/// The usual level of each cell, of its range and beam alone, and what the cell holds in units of it.
+void ImageBackground::find_usual(const core::SonarImage& image) {
   const double floor = floor_of(image);
+  std::size_t cell = 0;
   for (int beam = 0; beam < frame_.rows; ++beam) {
     const double gain = gain_[static_cast<std::size_t>(beam)];
-    std::size_t cell = frame_.index(0, beam);
     for (int bin = 0; bin < frame_.columns; ++bin, ++cell) {
-      const double own = gain * profile_[static_cast<std::size_t>(bin)];
-      const double n = count_[cell];
-      level_[cell] =
-          std::max(floor, (params_.prior_pings * own + n * mean_[cell]) / (params_.prior_pings + n));
-      frame_.values[cell] = image_[cell] / level_[cell];
+      level_[cell] = std::max(floor, gain * profile_[static_cast<std::size_t>(bin)]);
+      ratio_[cell] = static_cast<float>(image.intensity[cell] / level_[cell]);
     }
   }
-  return frame_;
+}
+
+/// What the memory of the earth expects of each cell. Its cells lie up to half a cell off: what is beside a
+/// bright one may be bright itself.
+void ImageBackground::expect_moved() {
+  const auto prior = static_cast<float>(params_.prior_pings);
+  const auto spill = static_cast<float>(params_.spill);
+  const std::size_t cells = ratio_.size();
+  const int columns = frame_.columns;
+  expected_.resize(cells);
+  for (std::size_t cell = 0; cell < cells; ++cell) expected_[cell] = moved_.level(cell, prior);
+  if (!has_moved_) return;
+  along_ = expected_;
+  for (int row = 0; row < frame_.rows; ++row)
+    for (int bin = 1; bin + 1 < columns; ++bin) {
+      const std::size_t cell = frame_.index(bin, row);
+      along_[cell] = std::max(expected_[cell], spill * std::max(expected_[cell - 1], expected_[cell + 1]));
+    }
+  expected_ = along_;
+  const auto width = static_cast<std::size_t>(columns);
+  for (std::size_t cell = width; cell + width < cells; ++cell)
+    expected_[cell] = std::max(along_[cell], spill * std::max(along_[cell - width], along_[cell + width]));
+}
+
+/// Each cell over its usual level and what the memories expect of it, the one that foretells better first.
+void ImageBackground::combine() {
+  const auto prior = static_cast<float>(params_.prior_pings);
+  const auto columns = static_cast<std::size_t>(frame_.columns);
+  const auto least = static_cast<float>(params_.least_share);
+  expect_moved();
+  still_row_.resize(columns);
+  for (int row = 0; row < frame_.rows; ++row) {
+    const std::size_t first = frame_.index(0, row);
+    for (std::size_t bin = 0; bin < columns; ++bin) {
+      float& moved = expected_[first + bin];
+      moved = std::max(least, moved);
+      still_row_[bin] = std::max(least, still_.level(first + bin, prior));
+      const float share = choice_.share(static_cast<int>(bin), row);
+      const float expected = share * moved + (1.0f - share) * still_row_[bin];
+      level_[first + bin] *= static_cast<double>(expected);
+      frame_.values[first + bin] = static_cast<double>(ratio_[first + bin] / expected);
+    }
+    choice_.add(row, ratio_.data() + first, expected_.data() + first, still_row_.data());
+  }
+  choice_.settle();
 }
 
 /// A level below which quantised images hold nothing but zeros.
@@ -77,7 +132,7 @@ void ImageBackground::learn_profile(const core::SonarImage& image) {
     scratch_.clear();
     for (int beam = 0; beam < frame_.rows; beam += stride)
       scratch_.push_back(image.at(beam, bin) / gain_[static_cast<std::size_t>(beam)]);
-    median_[static_cast<std::size_t>(bin)] = median_in_place(scratch_);
+    median_[static_cast<std::size_t>(bin)] = quantile_in_place(scratch_, kMiddle);
   }
 }
 
@@ -90,50 +145,56 @@ void ImageBackground::smooth_profile(double range_step) {
     scratch_.clear();
     for (int near = std::max(0, bin - half); near <= std::min(frame_.columns - 1, bin + half); near += stride)
       scratch_.push_back(median_[static_cast<std::size_t>(near)]);
-    profile_[static_cast<std::size_t>(bin)] = median_in_place(scratch_);
+    profile_[static_cast<std::size_t>(bin)] = quantile_in_place(scratch_, kMiddle);
   }
 }
 
-/// The gain of each beam: the median over its bins of what they hold over the level of their range, averaged
-/// over the pings.
+/// The gain of each beam, averaged over the pings: what a high share of its bins hold at most over the level
+/// of their range, beside the same of the other beams. High, because a shadow may lie on many bins.
 void ImageBackground::learn_gains(const core::SonarImage& image) {
   const int stride = stride_of(frame_.columns);
   pings_ = std::min(pings_ + 1, params_.most_pings);
+  loudness_.clear();
   for (int beam = 0; beam < frame_.rows; ++beam) {
     scratch_.clear();
     for (int bin = 0; bin < frame_.columns; bin += stride) {
       const double level = profile_[static_cast<std::size_t>(bin)];
       if (level > 0.0) scratch_.push_back(image.at(beam, bin) / level);
     }
-    const double now = median_in_place(scratch_);
-    double& gain = gain_[static_cast<std::size_t>(beam)];
-    if (now > 0.0) gain += (now - gain) / pings_;
+    loudness_.push_back(quantile_in_place(scratch_, kLoudShare));
   }
+  scratch_ = loudness_;
+  const double usual = quantile_in_place(scratch_, kMiddle);
+  for (std::size_t beam = 0; usual > 0.0 && beam < gain_.size(); ++beam)
+    if (loudness_[beam] > 0.0) gain_[beam] += (loudness_[beam] / usual - gain_[beam]) / pings_;
 }
 
 void ImageBackground::learn(std::span<const CellWindow> kept, std::span<const CellWindow> standing) {
-  held_.assign(image_.size(), 0);
+  held_.assign(ratio_.size(), kLearnt);
   const auto mark = [this](const CellWindow& w, char how) {
     for (int beam = std::max(0, w.first_row); beam < std::min(frame_.rows, w.last_row); ++beam)
       for (int bin = std::max(0, w.first_column); bin < std::min(frame_.columns, w.last_column); ++bin)
         held_[frame_.index(bin, beam)] = how;
   };
-  for (const CellWindow& window : standing) mark(window, 2);
-  for (const CellWindow& window : kept) mark(window, 1);
-  const auto most = static_cast<float>(params_.most_pings), swift = static_cast<float>(params_.swift_pings);
-  const float swift_share = 1.0f / std::min(static_cast<float>(pings_), swift);
-  for (std::size_t cell = 0; cell < image_.size(); ++cell) {
-    const auto value = static_cast<float>(image_[cell]);
-    swift_[cell] += swift_share * (value - swift_[cell]);
-    if (held_[cell] == 1) continue;
-    if (held_[cell] == 2) {
-      mean_[cell] = swift_[cell];
-      count_[cell] = most;
-    } else {
-      count_[cell] = std::min(count_[cell] + 1.0f, most);
-      mean_[cell] += (value - mean_[cell]) / count_[cell];
+  for (const CellWindow& window : standing) mark(window, kStanding);
+  for (const CellWindow& window : kept) mark(window, kKept);
+  const auto swift = static_cast<float>(std::min(pings_, params_.swift_pings));
+  const MemoryRates rates{static_cast<float>(params_.most_pings), 1.0f / swift, most_kept()};
+  for (LevelMemory* memory : {&moved_, &still_})
+    for (std::size_t cell = 0; cell < held_.size(); ++cell) {
+      if (held_[cell] == kKept)
+        memory->keep(cell, ratio_[cell], rates);
+      else if (held_[cell] == kStanding)
+        memory->stand(cell, ratio_[cell], rates);
+      else
+        memory->learn(cell, ratio_[cell], rates);
     }
-  }
+}
+
+/// Pings on end that a cell may be kept for a target.
+float ImageBackground::most_kept() const {
+  const double pings = interval_ > 0.0 ? params_.hold / interval_ : 0.0;
+  return static_cast<float>(std::max(static_cast<double>(params_.least_hold_pings), pings));
 }
 
 /// Brings the memory to the pose and geometry of the new image; another geometry starts it anew.
@@ -146,7 +207,11 @@ void ImageBackground::follow(const core::PosedImage& posed) {
     const std::size_t cells = image.intensity.size();
     frame_.values.assign(cells, 0.0);
     level_.assign(cells, 0.0);
-    for (auto* memory : {&mean_, &count_, &swift_}) memory->assign(cells, 0.0f);
+    ratio_.assign(cells, 0.0f);
+    moved_.begin(cells);
+    has_moved_ = false;
+    still_.begin(cells);
+    choice_.begin(frame_.columns, frame_.rows);
     gain_.assign(static_cast<std::size_t>(frame_.rows), 1.0);
     pings_ = 0;
   } else {
@@ -174,9 +239,7 @@ void ImageBackground::shift(const core::PosedImage& posed) {
   if (most < kStandingStill) return;
   last_ = without_intensities(posed);
   offset_ = std::fmod(offset_ + kGoldenShare, 1.0f);
-  moved_mean_.assign(mean_.size(), 0.0f);
-  moved_count_.assign(mean_.size(), 0.0f);
-  moved_swift_.assign(mean_.size(), 0.0f);
+  from_.assign(ratio_.size(), LevelMemory::kNew);
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const int i = column / kLattice, j = row / kLattice;
@@ -188,14 +251,10 @@ void ImageBackground::shift(const core::PosedImage& posed) {
       const auto x = static_cast<int>(std::floor(static_cast<float>(column) + off.x() + offset_));
       const auto y = static_cast<int>(std::floor(static_cast<float>(row) + off.y() + offset_));
       if (x < 0 || x >= columns || y < 0 || y >= rows) continue;
-      const std::size_t to = frame_.index(column, row), source = frame_.index(x, y);
-      moved_mean_[to] = mean_[source];
-      moved_count_[to] = count_[source];
-      moved_swift_[to] = swift_[source];
+      from_[frame_.index(column, row)] = static_cast<std::uint32_t>(frame_.index(x, y));
     }
-  mean_.swap(moved_mean_);
-  count_.swap(moved_count_);
-  swift_.swap(moved_swift_);
+  moved_.move(from_);
+  has_moved_ = true;
 }
 
 }  // namespace lookout::tracking

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/sonar_image.hpp"
+#include "tracking/track_before_detect/images/level_memory.hpp"
+#include "tracking/track_before_detect/images/memory_choice.hpp"
 #include "tracking/track_before_detect/intensity_frame.hpp"
 
 namespace lookout::tracking {
@@ -15,13 +18,20 @@ struct ImageBackgroundParams {
   double prior_pings = 6.0;   ///< Pings that the level of range and beam counts for in a cell, > 0.
   int most_pings = 100;       ///< Pings that a cell remembers, >= 1.
   int swift_pings = 12;       ///< Pings of the swift memory, which everything enters, >= 1.
+  double spill = 0.7;         ///< Least share of a neighbour's level, where the memory moved, in [0, 1].
+  double hold = 8.0;          ///< For which a cell is kept for a target on end [s], > 0; then it is learnt: a
+                              ///< target passes, in the sonar's frame and in the earth's.
+  int least_hold_pings = 16;  ///< And at least for so many pings, >= 1.
+  double least_share = 0.7;   ///< Of the usual level, below which no memory brings a cell, > 0: what leaves a
+                              ///< shadow is no target.
   double least_level = 0.02;  ///< Of the image's mean, below which no level falls, > 0.
 };
 
 /// The level of every cell, learnt ping by ping: of its range and beam together (the median over beams at
-/// each range, times the gain of each beam), and of the cell itself, which takes in bottom, walls and
-/// standing highlights. Cells that a target covers are not learnt. Where the sonar moves the memory moves
-/// with it.
+/// each range, times the gain of each beam), and of the cell itself in units of that, which takes in bottom,
+/// walls and standing highlights. Cells that a target covers are not learnt. The cells' memory is held
+/// twice, in the sonar's frame and, moved with the sonar, in the earth's: by place the one that foretells
+/// better counts.
 class ImageBackground {
  public:
   /// @throws std::invalid_argument naming the parameter out of range.
@@ -42,22 +52,31 @@ class ImageBackground {
   void learn_profile(const core::SonarImage& image);
   void smooth_profile(double range_step);
   void learn_gains(const core::SonarImage& image);
+  void find_usual(const core::SonarImage& image);
+  void expect_moved();
+  void combine();
+  float most_kept() const;
   void follow(const core::PosedImage& posed);
   void shift(const core::PosedImage& posed);
   double floor_of(const core::SonarImage& image) const;
 
   ImageBackgroundParams params_;
-  std::vector<double> median_, profile_, gain_, scratch_;  ///< By bin, by bin, by beam.
-  std::vector<float> mean_, count_, swift_;                ///< By cell: memory, its pings, swift memory.
-  std::vector<float> moved_mean_, moved_count_, moved_swift_;
+  std::vector<double> median_, profile_, gain_, loudness_, scratch_;  ///< By bin, by bin, by beam, by beam.
+  std::vector<float> ratio_;   ///< By cell: the last image over that level.
+  LevelMemory moved_, still_;  ///< Of the earth's frame and of the sonar's.
+  MemoryChoice choice_;
+  std::vector<float> expected_, along_, still_row_;
   std::vector<double> level_;
-  std::vector<double> image_;  ///< Intensities of the last image.
-  std::vector<char> held_;     ///< By cell, whether it is not learnt.
+  std::vector<char> held_;           ///< By cell, how it is learnt.
+  std::vector<std::uint32_t> from_;  ///< By cell, where it was before the sonar moved.
   IntensityFrame frame_;
-  core::PosedImage last_;  ///< Pose and geometry of the memory; holds no intensities.
-  float offset_ = 0.5f;    ///< Of the cell that the memory is moved to.
+  core::PosedImage last_;   ///< Pose and geometry of the memory; holds no intensities.
+  float offset_ = 0.5f;     ///< Of the cell that the memory is moved to.
+  bool has_moved_ = false;  ///< Whether the memory has been moved.
   bool started_ = false;
   int pings_ = 0;
+  double interval_ = 0.0;  ///< Between the last two images [s].
+  std::int64_t last_utime_ = 0;
 };
 
 }  // namespace lookout::tracking

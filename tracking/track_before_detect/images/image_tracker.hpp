@@ -51,6 +51,8 @@ class ImageTracker {
   /// As after the newest image; valid until the next.
   std::span<const core::Track> tracks() const { return tracks_; }
   const ImageCounts& counts() const { return counts_; }  ///< Since the start.
+  /// By which the newest image was divided.
+  const ImageBackground& background() const { return background_; }
   void reset();  ///< Forgets tracks and time, for a new clock; ids and counts go on.
 
  private:

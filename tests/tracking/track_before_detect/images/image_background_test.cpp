@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "core/beam_bearings.hpp"
@@ -55,7 +56,7 @@ TEST(ImageBackground, WhatATargetCoversIsNotLearntUntilItIsSaidToStand) {
   core::PosedImage posed = striped();
   posed.image.intensity[cell(20, 15)] *= 8.0;
   const CellWindow window{18, 23, 14, 17};
-  for (int ping = 0; ping < 40; ++ping) {
+  for (int ping = 0; ping < 15; ++ping) {
     background.normalise(posed);
     background.learn({&window, 1}, {});
   }
@@ -78,6 +79,55 @@ TEST(ImageBackground, TheMemoryMovesWithTheSonar) {
   EXPECT_LT(background.normalise(nearer).at(18, 15), 1.5);
 }
 
+/// Largest of an image over its background, but for its borders, after some pings on the way north at half a
+/// bin a ping, where `brighten` is what stands in the sonar's frame.
+template <class Brighten>
+double brightest_under_way(const Brighten& brighten) {
+  ImageBackground background;
+  core::PosedImage posed = striped();
+  brighten(posed.image);
+  double most = 0.0;
+  for (int ping = 0; ping < 40; ++ping) {
+    posed.T_earth_sonar.north = 0.25 * ping;
+    const IntensityFrame& frame = background.normalise(posed);
+    background.learn({}, {});
+    if (ping < 30) continue;
+    for (int bin = 8; bin < kBins - 8; ++bin)
+      for (int beam = 1; beam < kBeams - 1; ++beam) most = std::max(most, frame.at(bin, beam));
+  }
+  return most;
+}
+
+TEST(ImageBackground, TheGainOfABeamStaysWithTheSonarUnderWay) {
+  EXPECT_NEAR(brightest_under_way([](core::SonarImage&) {}), 1.0, 0.05);
+}
+
+TEST(ImageBackground, ABottomThatGoesAlongIsBackground) {
+  const auto bottom = [](core::SonarImage& image) {
+    for (int beam = 0; beam < kBeams; ++beam)
+      for (int bin = beam < kBeams / 2 ? 25 : 35; bin < kBins; ++bin) image.intensity[cell(bin, beam)] *= 5.0;
+  };
+  EXPECT_LT(brightest_under_way(bottom), 1.5);
+}
+
+TEST(ImageBackground, AShadowOnHalfOfABeamLeavesItsGain) {
+  ImageBackground background;
+  core::PosedImage posed = striped();
+  for (int bin = 32; bin < kBins; ++bin) posed.image.intensity[cell(bin, 4)] *= 0.1;
+  EXPECT_NEAR(background.normalise(posed).at(10, 4), 1.0, 0.05);
+}
+
+TEST(ImageBackground, WhatLeavesAShadowIsNoTarget) {
+  ImageBackground background;
+  core::PosedImage posed = striped();
+  for (int bin = 20; bin < 24; ++bin) posed.image.intensity[cell(bin, 15)] *= 0.1;
+  for (int ping = 0; ping < 60; ++ping) {
+    background.normalise(posed);
+    background.learn({}, {});
+  }
+  EXPECT_LE(background.normalise(striped()).at(22, 15), 1.0 / ImageBackgroundParams{}.least_share + 1e-6);
+}
+
 TEST(ImageBackground, AnotherGeometryStartsAnew) {
   ImageBackground background;
   background.normalise(striped());
@@ -97,6 +147,9 @@ TEST(ImageBackground, AnEmptyImageIsDark) {
 TEST(ImageBackground, RefusesParametersOutOfRange) {
   ImageBackgroundParams params;
   params.least_half_window = -1;
+  EXPECT_THROW(ImageBackground{params}, std::invalid_argument);
+  params = {};
+  params.spill = 1.5;
   EXPECT_THROW(ImageBackground{params}, std::invalid_argument);
 }
 
