@@ -139,7 +139,7 @@ class Fields {
  private:
   py::array column(const char* field) const {
     if (!has(field)) fail(field, "is not a field of the table");
-    const py::array values = py::array::ensure(table_[field]);
+    py::array values = py::array::ensure(table_[field]);
     if (!values || values.ndim() != 1) fail(field, "expected one number a row");
     return values;
   }
