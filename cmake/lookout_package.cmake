@@ -1,5 +1,6 @@
 # `cpack` in the build folder makes the vehicle's .deb: the program, its systemd unit and its documents; no Java, no
-# GUI, no development files. Debian's own tool finds the libraries that it depends on.
+# GUI, no development files. Debian's own tool finds the libraries that it depends on. Where the Python package was built
+# it is a .deb of its own, which needs no program.
 set(documents ${CMAKE_INSTALL_DATADIR}/doc/lookout)
 # One unit for a vehicle without a channel prefix, and one for each instance: lookout-track@AUV1 hears AUV1_SONAR_SCAN.
 set(LOOKOUT_UNIT_USE "The on-vehicle process. Enable with: systemctl enable --now lookout-track")
@@ -39,8 +40,28 @@ endforeach()
 configure_file(${CMAKE_CURRENT_LIST_DIR}/packaging/copyright.in ${PROJECT_BINARY_DIR}/packaging/copyright @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/packaging/copyright DESTINATION ${documents} COMPONENT vehicle)
 
+get_property(has_python GLOBAL PROPERTY LOOKOUT_HAS_PYTHON)
+if(has_python)
+  set(python_documents ${CMAKE_INSTALL_DATADIR}/doc/python3-lookout)
+  install(FILES ${PROJECT_BINARY_DIR}/packaging/copyright DESTINATION ${python_documents} COMPONENT python)
+  install(FILES ${PROJECT_SOURCE_DIR}/docs/python.md DESTINATION ${python_documents} COMPONENT python)
+  install(PROGRAMS ${PROJECT_SOURCE_DIR}/examples/figure22.py DESTINATION ${python_documents}/examples COMPONENT python)
+endif()
+
 set(CPACK_GENERATOR DEB)
 set(CPACK_COMPONENTS_ALL vehicle)
+if(has_python)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-lookout)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next_minor}), python3-numpy")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "The tracker, its simulator and its metrics as a Python package on numpy arrays,
+with readers and writers of recordings and LCM logs and the types of the messages.
+This package holds the module `lookout` for Debian's python3.")
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_VEHICLE_PACKAGE_NAME lookout)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -56,6 +56,13 @@ function(lookout_precompile target owner)
   endif()
 endfunction()
 
+# lookout_shareable(TARGET): the Python module, a shared library, may be linked of it. Calls within a source are still bound
+# when it is compiled, so that the program is as fast as without.
+function(lookout_shareable target)
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_compile_options(${target} PRIVATE -fno-semantic-interposition)
+endfunction()
+
 # lookout_library(NAME SOURCES... ) declares the folder's library target lookout_NAME with alias lookout::NAME.
 function(lookout_library name)
   add_library(lookout_${name} STATIC ${ARGN})
@@ -65,14 +72,15 @@ function(lookout_library name)
   target_compile_features(lookout_${name} PUBLIC cxx_std_20)
   target_include_directories(lookout_${name} PUBLIC
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}> $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/lookout>)
+  lookout_shareable(lookout_${name})
   lookout_precompile(lookout_${name} lookout_core)
   set_property(GLOBAL APPEND PROPERTY LOOKOUT_LIBRARIES lookout_${name})
 endfunction()
 
 # lookout_parameter_fields(NAME HEADER USER STRUCTS...) makes NAME/HEADER of library lookout_NAME for its source USER: the
 # fields of structs of parameters by name. See cmake/parameter_fields.py for STRUCTS.
-find_program(LOOKOUT_PYTHON NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
-mark_as_advanced(LOOKOUT_PYTHON)
+find_program(LOOKOUT_PYTHON_PROGRAM NAMES python3 PATHS /usr/bin NO_DEFAULT_PATH REQUIRED)
+mark_as_advanced(LOOKOUT_PYTHON_PROGRAM)
 function(lookout_parameter_fields name header user)
   set(headers ${ARGN})
   list(FILTER headers INCLUDE REGEX ":")
@@ -81,7 +89,7 @@ function(lookout_parameter_fields name header user)
   set(generated ${PROJECT_BINARY_DIR}/generated)
   file(MAKE_DIRECTORY ${generated}/${name})
   add_custom_command(OUTPUT ${generated}/${name}/${header}
-    COMMAND ${LOOKOUT_PYTHON} ${PROJECT_SOURCE_DIR}/cmake/parameter_fields.py ${PROJECT_SOURCE_DIR}
+    COMMAND ${LOOKOUT_PYTHON_PROGRAM} ${PROJECT_SOURCE_DIR}/cmake/parameter_fields.py ${PROJECT_SOURCE_DIR}
             ${generated}/${name}/${header} ${ARGN}
     DEPENDS ${headers} ${PROJECT_SOURCE_DIR}/cmake/parameter_fields.py VERBATIM)
   add_custom_target(lookout_${name}_fields DEPENDS ${generated}/${name}/${header})

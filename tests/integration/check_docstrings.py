@@ -11,7 +11,7 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = ["core", "csht", "tracking", "fusion", "sonar_sim", "lcmtypes"]
+FOLDERS = ["core", "csht", "tracking", "fusion", "sonar_sim", "lcmtypes", "python"]
 NEEDS_NONE = re.compile(
     r"\boverride\b|=\s*(default|delete)$|\boperator\b|^(using|typedef|friend|static_assert|extern)\b|^template ?<>|~\w+\s*\("
     r"|\b(\w+)\s*\((const )?\3 ?&&?( \w+)?\)"

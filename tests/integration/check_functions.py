@@ -16,7 +16,7 @@ import sys
 from check_docstrings import TYPE, code_of, function_name, without_templates
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-FOLDERS = ["core", "csht", "examples", "fusion", "lcmtypes", "sonar_sim", "tests", "tools", "tracking"]
+FOLDERS = ["core", "csht", "examples", "fusion", "lcmtypes", "python", "sonar_sim", "tests", "tools", "tracking"]
 MOST_LINES, MOST_PARAMETERS = 40, 6
 MEDIAN_LINES = 7
 NINE_IN_TEN_LINES, NINE_IN_TEN = 18, 0.9

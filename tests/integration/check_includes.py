@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Checks that includes go one way: core <- csht <- tracking <- fusion; core <- sonar_sim; core <- lcmtypes.
 
-Nodes may also include lcmtypes; tools and tests anything; LCM's own headers stand in lcmtypes and nodes alone.
+Nodes may also include lcmtypes; tools, tests and python anything; LCM's own headers stand in lcmtypes and nodes alone.
 The inner walls stand in INNER_WALLS: within each list a folder may include itself, what stands before it and
 folders that the list does not name. Prints one line a breach and exits 1 where there is one.
 """

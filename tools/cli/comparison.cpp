@@ -8,7 +8,6 @@
 #include "core/files/csv.hpp"
 #include "core/files/time_text.hpp"
 #include "core/input_error.hpp"
-#include "tools/cli/log.hpp"
 
 namespace lookout::tools {
 namespace {
@@ -66,6 +65,23 @@ std::optional<tracking::TruthMatch> match_of(const Options& options) {
   return tracking::TruthMatch{std::max(kSameTime, core::microseconds(tolerance)), options.interpolate};
 }
 
+// The times of --times, or of the recording that the truth belongs to where the estimates are of its scans;
+// else none.
+Times scan_times(const Options& options, const std::vector<core::TrackList>& lists) {
+  if (!options.times.empty()) return read_times(options.times);
+  const auto beside = std::filesystem::path(options.inputs[0]).parent_path() / "scans.csv";
+  if (!std::filesystem::is_regular_file(beside)) return {};
+  const Times scans = distinct(read_times(beside.string()), kSameTime);
+  const tracking::TimeAgreement agreement = tracking::compare_times(scans, times_of(lists));
+  return agreement.matched == static_cast<std::int64_t>(lists.size()) ? scans : Times{};
+}
+
+ComparedLists read_lists(const Options& options) {
+  ComparedLists lists{core::read_truth(options.inputs[0]), core::read_tracks(options.inputs[1]), {}};
+  lists.scans = scan_times(options, lists.estimates);
+  return lists;
+}
+
 void require_few(std::size_t points, const std::string& file, std::int64_t utime) {
   if (points > kMostPoints)
     throw core::InputError(file + ": " + std::to_string(points) + " rows at " + core::time_text(utime) +
@@ -74,31 +90,20 @@ void require_few(std::size_t points, const std::string& file, std::int64_t utime
 
 }  // namespace
 
-Comparison::Comparison(const Options& options)
-    : truth_(core::read_truth(options.inputs[0])),
-      lists_(core::read_tracks(options.inputs[1])),
-      tolerance_(kSameTime) {
+Comparison::Comparison(const Options& options) : Comparison(read_lists(options), options) {}
+
+Comparison::Comparison(ComparedLists lists, const Options& options)
+    : truth_(std::move(lists.truth)), lists_(std::move(lists.estimates)), tolerance_(kSameTime) {
   if (!truth_.empty() && !lists_.empty())
     require_one_clock(tools::times_of(truth_), times_of(lists_), options.inputs[0]);
   const auto asked = match_of(options);
-  const Times scans = scan_times(options);
+  const Times& scans = lists.scans;
   auto chosen =
       asked ? tracking::ChosenMatch{*asked, ""}
             : tracking::choose_match(tools::times_of(truth_), scans.empty() ? times_of(lists_) : scans);
   tolerance_ = std::max(tolerance_, chosen.match.tolerance);
   const Times times = common_times(scans, chosen.match.interpolate);
   fill(times, MatchedTruth(truth_, std::move(chosen)), options);
-}
-
-// The times of --times, or of the recording that the truth belongs to where the estimates are of its scans;
-// else none.
-Times Comparison::scan_times(const Options& options) const {
-  if (!options.times.empty()) return read_times(options.times);
-  const auto beside = std::filesystem::path(options.inputs[0]).parent_path() / "scans.csv";
-  if (!std::filesystem::is_regular_file(beside)) return {};
-  const Times scans = distinct(read_times(beside.string()), kSameTime);
-  const tracking::TimeAgreement agreement = tracking::compare_times(scans, times_of(lists_));
-  return agreement.matched == static_cast<std::int64_t>(lists_.size()) ? scans : Times{};
 }
 
 // Those of the scans where they are known; else those of the estimates, and of the truth where it is not
@@ -122,7 +127,7 @@ void Comparison::fill(const Times& times, MatchedTruth matched, const Options& o
     require_few(scored_.back().truth.targets.size(), options.inputs[0], time);
     require_few(scored_.back().tracks.size(), options.inputs[1], time);
   }
-  for (const auto& note : matched.notes()) log_warning("ospa: " + note);
+  notes_ = matched.notes();
   if (scored_.empty()) throw core::InputError("ospa: there is no time to average over");
 }
 

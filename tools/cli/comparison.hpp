@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/files/recording.hpp"
@@ -18,19 +19,30 @@ struct ScoredTime {
   std::span<const core::Track> tracks;
 };
 
-/// Truth and estimates of two files, brought to common times as --times, --time-tolerance and --interpolate
-/// ask; else by what the files show (docs/formats/scores.md).
+/// Truth, estimates and the times of the scans that both are of.
+struct ComparedLists {
+  std::vector<core::GroundTruth> truth;    ///< In order of time.
+  std::vector<core::TrackList> estimates;  ///< Likewise.
+  std::vector<std::int64_t> scans;         ///< Times to average over [us]; empty: all that either has.
+};
+
+/// Truth and estimates, brought to common times as --times, --time-tolerance and --interpolate ask; else by
+/// what the lists show (docs/formats/scores.md).
 class Comparison {
  public:
-  /// Of `inputs`, TRUTH.csv and ESTIMATE.csv. Warns of what the truth's times made necessary.
+  /// Of lists that are there already; in messages they go by the names in `inputs`.
+  /// @throws core::InputError as below.
+  Comparison(ComparedLists lists, const Options& options);
+
+  /// Of the files `inputs`, TRUTH.csv and ESTIMATE.csv.
   /// @throws core::InputError on a file that cannot be read, a tolerance out of range, more than 1,000 rows
   /// of one time and where there is no common time.
   explicit Comparison(const Options& options);
 
   const std::vector<ScoredTime>& times() const { return scored_; }  ///< In order of time.
+  const std::vector<std::string>& notes() const { return notes_; }  ///< Lines for a person; mostly none.
 
  private:
-  std::vector<std::int64_t> scan_times(const Options& options) const;
   std::vector<std::int64_t> common_times(const std::vector<std::int64_t>& scans, bool at_estimates) const;
   void fill(const std::vector<std::int64_t>& times, MatchedTruth matched, const Options& options);
 
@@ -38,6 +50,7 @@ class Comparison {
   std::vector<core::TrackList> lists_;
   std::int64_t tolerance_;
   std::vector<ScoredTime> scored_;
+  std::vector<std::string> notes_;
 };
 
 }  // namespace lookout::tools

@@ -52,6 +52,11 @@ void read_initiator(const core::YamlMap& map, const std::string& of_points, cons
   tracking::read_initiator_config(map, of_points.empty() ? births : of_points, use, configuration.initiator);
 }
 
+core::YamlMap load_yaml(const Options& options) {
+  return options.config_text.empty() ? core::YamlMap::load_file(options.config)
+                                     : core::YamlMap::load_text(options.config_text, options.config);
+}
+
 void read_configuration(const core::YamlMap& map, const std::string& chosen_tracker,
                         const std::string& initiator, Configuration& configuration) {
   if (const auto part = map.map("sensor")) {
@@ -186,7 +191,7 @@ Configuration load_configuration(const Options& options, const core::SonarParams
   configuration.tracker.name = kDefaultTracker;
   configuration.estimator.name.clear();  // not chosen yet
   if (!options.config.empty())
-    read_configuration(core::YamlMap::load_file(options.config), options.tracker, initiator, configuration);
+    read_configuration(load_yaml(options), options.tracker, initiator, configuration);
   apply_name("--estimator", options.estimator, estimator_choices(), configuration.estimator.name);
   apply_name("--tracker", options.tracker, tracking::tracker_names(), configuration.tracker.name);
   std::string input;

@@ -16,6 +16,8 @@ struct Options {
   std::vector<std::string> plugins;  ///< Shared libraries that were loaded, as they were named.
   std::uint64_t seed = 1;
   std::string config;          ///< Configuration YAML.
+  /// The configuration itself, which `config` then only names; empty: it is read from there.
+  std::string config_text;
   std::string input = "scan";  ///< What is tracked: scan or image.
   std::string estimator;       ///< Registry name; empty: the configuration's, else the default.
   std::string tracker;         ///< Registry name; empty: the configuration's, else the default.

@@ -129,6 +129,14 @@ TrackedRun replay_scans(const std::vector<std::string>& files, const lcmtypes::C
   return replay.run(files);
 }
 
+/// Tracks nothing.
+struct NoChain {
+  void add(const core::VehicleState& /*state*/) {}
+  void finish() {}
+  ChainOutput output() const { return {}; }
+  tracking::IntakeCounts counts() const { return {}; }
+};
+
 /// @throws core::InputError where nothing came on the channel of the pings: what was refused there, else
 /// which channels there are.
 void require_pings(const std::string& file, const std::string& channel, const LogFigures& figures) {
@@ -149,6 +157,28 @@ void require_pings(const std::string& file, const std::string& channel, const Lo
 
 }  // namespace
 
+std::vector<std::string> notes_of(const LogFigures& figures, const core::Recording& recording) {
+  std::vector<std::string> lines;
+  const auto note = [&lines](bool holds, const std::string& line) {
+    if (holds) lines.push_back(line);
+  };
+  const LogSurvey& survey = figures.survey;
+  note(survey.damages > 0, "the log is damaged or cut off: " + std::to_string(survey.bytes_lost) +
+                               " bytes in " + std::to_string(survey.damages) + " place(s) could not be read");
+  for (const auto& refusal : figures.refusals)
+    note(true, refusal.channel + ": " + std::to_string(refusal.count) +
+                   " messages refused: " + std::string(refusal.reason));
+  note(figures.refused_truth > 0,
+       std::to_string(figures.refused_truth) + " lists of truth at a time that has one already");
+  note(figures.images_left_out > 0, std::to_string(figures.images_left_out) +
+                                        " images that go back in time or repeat it are not in the recording");
+  note(figures.is_fixed, "no vehicle states: a fixed sensor at the origin");
+  note(!recording.new_clocks.empty(),
+       "holds " + std::to_string(recording.new_clocks.size() + 1) +
+           " clocks (played twice, appended, or set back): the recording numbers them in a column `clock`");
+  return lines;
+}
+
 TrackedRun replay_log(const std::vector<std::string>& files, const std::string& channel_prefix,
                       const Configuration& configuration, std::uint64_t seed, LogFigures& figures,
                       const std::string& images_out) {
@@ -162,6 +192,18 @@ TrackedRun replay_log(const std::vector<std::string>& files, const std::string& 
   require_pings(files.front(), takes_images(configuration) ? channels.sonar_image() : channels.sonar_scan(),
                 figures);
   return run;
+}
+
+core::Recording read_log(const std::vector<std::string>& files, const std::string& channel_prefix,
+                         const core::SonarParams& sensor, LogFigures& figures) {
+  const lcmtypes::Channels channels(channel_prefix);
+  figures.survey = survey_log(files);
+  NoChain chain;
+  LogReplay replay(channels, chain, sensor, figures, "");
+  replay.take_scans(true);
+  core::Recording recording = replay.run(files).recording;
+  require_pings(files.front(), channels.sonar_scan(), figures);
+  return recording;
 }
 
 core::Recording detect_log(const std::vector<std::string>& files, const std::string& channel_prefix,

@@ -22,6 +22,10 @@ struct LogFigures {
   std::vector<core::TrackList> tracks;      ///< The TRACKS in the log.
 };
 
+/// What a person should know of a log beside what it holds: a line for each kind of message that was not used
+/// or is read in a way of its own.
+std::vector<std::string> notes_of(const LogFigures& figures, const core::Recording& recording);
+
 /// Takes the messages of a log's files through the chain in the order of the log, as a tracker live would
 /// have: its scans, or its images where the configuration's estimator tracks these.
 /// @param images_out recording directory that the images are written to; empty: none.
@@ -30,6 +34,12 @@ struct LogFigures {
 TrackedRun replay_log(const std::vector<std::string>& files, const std::string& channel_prefix,
                       const Configuration& configuration, std::uint64_t seed, LogFigures& figures,
                       const std::string& images_out = {});
+
+/// The scans, vehicle states and truth of a log's files as `Recorder` keeps them, tracked by nobody; images
+/// are left. @param sensor what is known of it beside the geometry of its scans.
+/// @throws core::InputError as `replay_log`.
+core::Recording read_log(const std::vector<std::string>& files, const std::string& channel_prefix,
+                         const core::SonarParams& sensor, LogFigures& figures);
 
 /// Takes the images of a log's files through detection. @return the scans with the log's vehicle states and
 /// truth, as `Recorder` keeps them. @throws core::InputError as `replay_log`.

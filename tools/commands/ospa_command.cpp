@@ -9,6 +9,7 @@
 #include "core/files/csv.hpp"
 #include "core/input_error.hpp"
 #include "tools/cli/comparison.hpp"
+#include "tools/cli/log.hpp"
 #include "tools/cli/metric_scores.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/scoring.hpp"
@@ -63,6 +64,7 @@ Score score_pair(const Options& options) {
   if (metric.follows_identities)
     for (const auto& file : options.inputs) require_identities(file);
   const Comparison comparison(options);
+  for (const auto& note : comparison.notes()) log_warning("ospa: " + note);
   Score score = metric.score(comparison, options);
   score.times = comparison.times().size();
   if (!options.over_time.empty()) write_over_time(options.over_time, score, comparison);

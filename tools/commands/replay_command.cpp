@@ -6,35 +6,13 @@
 #include "tools/cli/log.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/replay_log.hpp"
+#include "tools/cli/scan_feed.hpp"
 #include "tools/cli/scoring.hpp"
 #include "tools/cli/tracked_run.hpp"
 #include "tools/commands/commands.hpp"
 
 namespace lookout::tools {
 namespace {
-
-/// Where the n-th clock of a recording ends in one of its lists.
-std::size_t end_of_clock(const core::Recording& recording, std::size_t clock,
-                         std::size_t core::ClockStart::*begin, std::size_t size) {
-  return clock < recording.new_clocks.size() ? recording.new_clocks[clock].*begin : size;
-}
-
-/// A recording's states and scans in the order of their times; of one time the state first.
-void feed(RecordedChain& chain, const core::Recording& recording) {
-  std::size_t scan = 0, state = 0;
-  for (std::size_t clock = 0; clock <= recording.new_clocks.size(); ++clock) {
-    if (clock > 0) chain.start_new_clock();
-    const std::size_t scans = end_of_clock(recording, clock, &core::ClockStart::scan, recording.scans.size());
-    const std::size_t states =
-        end_of_clock(recording, clock, &core::ClockStart::state, recording.vehicle.size());
-    for (; scan < scans; ++scan) {
-      while (state < states && recording.vehicle[state].utime <= recording.scans[scan].utime)
-        chain.add(recording.vehicle[state++]);
-      chain.add(recording.scans[scan]);
-    }
-    while (state < states) chain.add(recording.vehicle[state++]);
-  }
-}
 
 TrackedRun replay_recording(const std::string& directory, Configuration& configuration, std::uint64_t seed) {
   TrackedRun run;
@@ -47,7 +25,7 @@ TrackedRun replay_recording(const std::string& directory, Configuration& configu
   }
   if (run.recording.params) configuration.sensor = *run.recording.params;
   RecordedChain chain(configuration, seed);
-  feed(chain, run.recording);
+  feed_scans(chain, run.recording);
   chain.finish();
   run.output = chain.output();
   run.counts = chain.counts();
@@ -101,23 +79,7 @@ void require_pings(const std::string& directory, const Configuration& configurat
 void tell(const LogFigures& figures, const TrackedRun& run, const std::string& path) {
   const LogSurvey& survey = figures.survey;
   log_info(path + ": " + std::to_string(survey.messages) + " messages: " + survey.names());
-  if (survey.damages > 0)
-    log_warning(path + ": the log is damaged or cut off: " + std::to_string(survey.bytes_lost) +
-                " bytes in " + std::to_string(survey.damages) + " place(s) could not be read");
-  for (const auto& refusal : figures.refusals)
-    log_warning(path + ": " + refusal.channel + ": " + std::to_string(refusal.count) +
-                " messages refused: " + std::string(refusal.reason));
-  if (figures.refused_truth > 0)
-    log_warning(path + ": " + std::to_string(figures.refused_truth) +
-                " lists of truth at a time that has one already");
-  if (figures.images_left_out > 0)
-    log_warning(path + ": " + std::to_string(figures.images_left_out) +
-                " images that go back in time or repeat it are not in the recording");
-  if (figures.is_fixed) log_warning(path + ": no vehicle states: a fixed sensor at the origin");
-  if (!run.recording.new_clocks.empty())
-    log_warning(
-        path + ": holds " + std::to_string(run.recording.new_clocks.size() + 1) +
-        " clocks (played twice, appended, or set back): the recording numbers them in a column `clock`");
+  for (const auto& note : notes_of(figures, run.recording)) log_warning(path + ": " + note);
   if (figures.tracks.empty()) return;
   const std::string both = std::to_string(figures.tracks.size()) + " TRACKS in the log, " +
                            std::to_string(run.output.tracks.size()) + " now";

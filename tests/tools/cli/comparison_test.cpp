@@ -38,6 +38,19 @@ TEST_F(ComparisonTest, TakesTheTimesOfEitherFile) {
   EXPECT_TRUE(comparison.times()[2].tracks.empty());
 }
 
+TEST_F(ComparisonTest, TakesListsThatAreThereAlready) {
+  options_.inputs = {"truth", "tracks"};
+  ComparedLists lists;
+  for (const std::int64_t utime : {0, 1'000'000, 2'000'000})
+    lists.truth.push_back({utime, {{1, {0.0, 0.0}, {0.0, 0.0}, true}}});
+  lists.estimates = {{0, {}}, {3'000'000, {}}};
+  lists.scans = {0, 1'000'000, 2'000'000, 3'000'000};
+  const Comparison all(lists, options_);
+  ASSERT_EQ(all.times().size(), 4u);
+  EXPECT_EQ(all.times()[3].truth.utime, 3'000'000);
+  EXPECT_EQ(all.notes().size(), 1u);  // One scan in four has no truth, which is worth a line.
+}
+
 TEST_F(ComparisonTest, TakesTheTimesThatAreAskedFor) {
   options_.times = directory_.write("asked.csv", "time_s\n1\n");
   EXPECT_EQ(times(), (Times{1'000'000}));

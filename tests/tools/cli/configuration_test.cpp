@@ -55,6 +55,15 @@ TEST(Configuration, FlagsWinOverTheFile) {
   EXPECT_TRUE(tracks_images(configuration));
 }
 
+TEST(Configuration, MayBeGivenAsText) {
+  Options options = with_config("config");
+  options.config_text = R"({"tracker": {"name": "gnn"}, "sensor": {"range_sigma": 2.0}})";
+  EXPECT_EQ(load_configuration(options).tracker.name, "gnn");
+  EXPECT_EQ(load_configuration(options).sensor.range_sigma, 2.0);
+  options.config_text = R"({"trackers": {}})";
+  EXPECT_TRUE(error_of(options).starts_with("config:1:")) << error_of(options);
+}
+
 TEST(Configuration, TheFileStandsOverWhatIsKnownOfTheSensor) {
   const tests::TemporaryDirectory folder;
   core::SonarParams known;

@@ -28,5 +28,18 @@ TEST(FirstDifference, IsTheTimeOfTheFirstListThatDiffers) {
   EXPECT_EQ(first_difference(two_lists(), other), 1);
 }
 
+TEST(NotesOf, SayWhatWasNotUsed) {
+  LogFigures figures;
+  core::Recording recording;
+  EXPECT_TRUE(notes_of(figures, recording).empty());
+  figures.refusals = {{"SONAR_SCAN", "too long", 3}};
+  figures.is_fixed = true;
+  recording.new_clocks.resize(1);
+  const auto notes = notes_of(figures, recording);
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_EQ(notes[0], "SONAR_SCAN: 3 messages refused: too long");
+  EXPECT_TRUE(notes[2].starts_with("holds 2 clocks"));
+}
+
 }  // namespace
 }  // namespace lookout::tools
