@@ -3,7 +3,8 @@
 namespace lookout::csht {
 
 /// What is believed of a place before its returns are counted: with `share` it returns more than the
-/// background does, and its rate in units of the background's is then a gamma variable of this mean and shape.
+/// background does, and its rate in units of the background's is then a gamma variable of this mean and
+/// shape.
 struct ExcessPrior {
   double share = 0.02;  ///< Probability that the place returns more, in (0, 1).
   double shape = 0.5;   ///< Of the gamma distribution, > 0.

@@ -29,8 +29,8 @@ struct ClutterMapParams {
   ExcessPrior sonar_prior{
       .share = 0.02,
       .shape = 2.0,
-      .mean = 1.0};         ///< Of places in the sonar's frame, before any return; its mean is learnt,
-  double most_dense = 0.25; ///< and its share, up to this, < 1: above, the background is taken for dense.
+      .mean = 1.0};          ///< Of places in the sonar's frame, before any return; its mean is learnt,
+  double most_dense = 0.25;  ///< and its share, up to this, < 1: above, the background is taken for dense.
   DenseReturnsParams sonar_learning;  ///< How.
   double earth_shape = 0.5;           ///< Of places in the earth's frame, as ExcessPrior::shape.
   /// Their share is this, > 0, and grows by `share_growth` times the share of returns from what stands, up to

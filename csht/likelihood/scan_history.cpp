@@ -22,6 +22,7 @@ int ScanHistory::push(const core::PosedScan& scan) {
   make_room(scan.scan.returns.size(), static_cast<std::size_t>(scan.scan.num_beams) + 2);
   ScanTable& table = tables_[static_cast<std::size_t>(newest_)];
   const int left_out = fill_scan_table(scan, table);
+  table.listened = static_cast<float>(empty_scans_.take(table.detections.size()));
   csht::set_figures(figures_, model_, table);
   return left_out;
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "csht/likelihood/empty_scans.hpp"
 #include "csht/likelihood/scan_table.hpp"
 #include "csht/likelihood/spill_model.hpp"
 
@@ -53,6 +54,7 @@ class ScanHistory {
   int size_ = 0;
   int newest_ = -1;
   std::int64_t pushed_ = 0;
+  EmptyScans empty_scans_;
   std::size_t densest_ = 0, widest_ = 0;  ///< Most returns and slots of a scan so far.
 };
 

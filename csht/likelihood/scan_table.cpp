@@ -48,6 +48,12 @@ float excess_of(const SensorFigures& figures, float background) {
   return static_cast<float>(figures.miss_probability) * (1.0F - background);
 }
 
+// Of a scan that may be lost a silence says less: its likelihood ratio is one if it was.
+void excuse_silence(ScanTable& table) {
+  for (float& base : table.base) base = table.listened * base + (1.0F - table.listened);
+  for (float& lost : table.lost) lost *= table.listened;
+}
+
 void set_beam_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
   const ReturnWorth worth = worth_of(figures, model, table.max_range);
   table.gain = static_cast<float>(worth.gain);
@@ -59,6 +65,7 @@ void set_beam_figures(const SensorFigures& figures, const SensorModelParams& mod
     const double lost = silent ? worth.silence_lost : worth.foreign_lost;
     table.lost[slot] = model.range_gate ? static_cast<float>(lost) : 0.0F;
   }
+  if (table.listened < 1.0F) excuse_silence(table);
   if (table.whole_circle) return;
   table.base.front() = table.base.back() = 1.0F;
   table.lost.front() = table.lost.back() = 0.0F;
@@ -72,6 +79,7 @@ void set_point_figures(const SensorFigures& figures, const SensorModelParams& mo
   std::fill(table.base.begin(), table.base.end(), static_cast<float>(figures.miss_probability));
   const double lost = model.range_gate ? 1.0 - figures.miss_probability : 0.0;
   std::fill(table.lost.begin(), table.lost.end(), static_cast<float>(lost));
+  if (table.listened < 1.0F) excuse_silence(table);
   table.inverse_resolution = figures.resolution > 0.0 ? static_cast<float>(1.0 / figures.resolution) : 0.0F;
   table.inverse_bearing_sigma = static_cast<float>(1.0 / figures.bearing_sigma);
 }

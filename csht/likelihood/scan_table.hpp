@@ -49,6 +49,8 @@ struct ScanTable {
   std::vector<std::int16_t> group;
   /// and the probability that it came by itself or is the echo's own; gain and background count by it.
   std::vector<float> share;
+  /// Probability that the sonar listened, see EmptyScans: by the rest, silence says nothing.
+  float listened = 1.0F;
   float inverse_sigma = 0.0F;  ///< [1/m].
   /// point alone: bearing of each detection from `axis` [rad].
   std::vector<float> bearing_from_axis;

@@ -27,8 +27,8 @@ Sighting sight_in_beam(const ScanTable& scan, double range, double bearing) {
   const auto slot = static_cast<std::size_t>(beam) + 1;
   if (scan.silent(static_cast<int>(beam))) {
     const double lost = scan.lost[slot] * lost_share(scan.max_range, scan.inverse_sigma, range);
-    const double miss = scan.base[slot] / (scan.base[slot] + lost);
-    return {0.0, miss, 1.0 - miss, 0.0, range};
+    const double miss = scan.base[slot] / (scan.base[slot] + lost), listened = scan.listened;
+    return {0.0, listened * miss, listened * (1.0 - miss), 0.0, range};
   }
   const double residual = scan.range[slot] - range;
   const double sigmas = residual * scan.inverse_sigma;
@@ -54,8 +54,8 @@ Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
   }
   const double total = returns + scan.base[1] + lost;
   sighting.reported = returns / total;
-  sighting.silence = scan.base[1] / total;
-  sighting.lost = lost / total;
+  sighting.silence = scan.listened * scan.base[1] / total;
+  sighting.lost = scan.listened * lost / total;
   return sighting;
 }
 
@@ -153,7 +153,7 @@ void SensorFigureEstimator::learn_clutter(const ScanHistory& history) {
 void SensorFigureEstimator::take_clutter(const ScanTable& scan, Clutter& clutter) const {
   Share& share = clutter.share = {};
   if (scan.clutter == ClutterModel::point) {
-    share.trials = 1.0;
+    share.trials = static_cast<double>(scan.listened);
     for (std::size_t j = 0; j < scan.detections.size(); ++j)
       share.hits += static_cast<double>(scan.background[j] * clutter.free[j]);
     return;
@@ -162,7 +162,7 @@ void SensorFigureEstimator::take_clutter(const ScanTable& scan, Clutter& clutter
     const std::size_t slot = static_cast<std::size_t>(beam) + 1;
     // A return of what stands or is dense hides whether the background had one.
     const auto background =
-        static_cast<double>(clutter.free[slot] * (scan.silent(beam) ? 1.0F : scan.background[slot]));
+        static_cast<double>(clutter.free[slot] * (scan.silent(beam) ? scan.listened : scan.background[slot]));
     share.trials += background;
     if (!scan.silent(beam)) share.hits += background;
   }
