@@ -10,7 +10,7 @@ namespace lookout::csht {
 class EmptyScans {
  public:
   /// Takes the next scan in. @return the probability, in (0, 1], that the sonar listened; 1 where it returned
-  /// anything.
+  /// anything, and before it ever did.
   double take(std::size_t returns);
 
   double lost_share() const { return lost_ / scans_; }  ///< Share of the scans that are lost, in (0, 1).

@@ -84,7 +84,7 @@ TEST(DetectionChain, JointFollowsATargetFromImagesToTracks) {
 }
 
 TEST(DetectionChain, CshtDoesToo) {
-  EXPECT_GE(followed(outcome_of(one_target(30.0), chain_of("csht", "csht"))), 24);
+  EXPECT_GE(followed(outcome_of(one_target(16.0), chain_of("csht", "csht"))), 13);  // Of 16.
 }
 
 TEST(DetectionChain, GivesTheTracksOfItsOwnScans) {

@@ -12,6 +12,11 @@ TEST(EmptyScans, AScanWithReturnsWasHeard) {
   EXPECT_EQ(scans.take(9), 1.0);
 }
 
+TEST(EmptyScans, OfASonarThatNeverReturnedAnythingNothingIsLost) {
+  EmptyScans scans;
+  for (int k = 0; k < 50; ++k) EXPECT_EQ(scans.take(0), 1.0);
+}
+
 // Nine returns a scan: an empty one comes about by e^-9 = .0001 unless it was lost.
 TEST(EmptyScans, AnEmptyScanAmongFullOnesWasLost) {
   EmptyScans scans;

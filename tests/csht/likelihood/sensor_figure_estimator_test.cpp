@@ -113,10 +113,10 @@ TEST(SensorFigures, AScanThatIsPricedAnewCountsAsItIsPricedNow) {
   std::vector<float> background(history.newest().background.size(), 1.0F);
   for (std::size_t beam = 0; beam < 72; beam += 2) background[beam + 1] = 1e-3F;
   for (int age = 0; age < 10; ++age) history.set_background(age, background);
-  history.push(posed_scan({}, 5'000'000));
+  history.push(posed_scan({returns.front()}, 5'000'000));
   estimator.update(history, {});
-  // 9 returns in the 45 silent and 9 other beams of ten scans, 90 silent beams in one.
-  EXPECT_NEAR(estimator.estimate().false_alarm_probability, 90.0 / (540.0 + 90.0), 0.01);
+  // 9 returns in the 45 silent and 9 other beams of ten scans, one in 90 beams of the last.
+  EXPECT_NEAR(estimator.estimate().false_alarm_probability, 91.0 / (540.0 + 90.0), 0.01);
 }
 
 TEST(SensorFigures, CountsTheReturnsOfAPointSensor) {
