@@ -41,7 +41,7 @@ inline std::vector<core::PosedScan> scans_of(const std::vector<Course>& courses,
   for (int k = 0; k < num_scans; ++k) {
     core::PosedScan posed;
     core::SonarScan& scan = posed.scan;
-    scan.utime = k * 500'000;
+    scan.utime = k * 500'000L;
     scan.sequence = k;
     scan.num_beams = params.num_beams;
     scan.first_bearing = params.first_bearing;

@@ -31,7 +31,7 @@ ClutterMap taught(double speed, ScanHistory& history, const Extra& extra) {
     std::vector<core::SonarReturn> returns = extra(k, north);
     for (int beam = 0; beam < 90; ++beam)
       if (random.bernoulli(kFalseAlarm)) returns.push_back(in_beam(beam, random.uniform(0.1, 150.0)));
-    history.push(posed_scan(returns, 500'000 * k, {north, 0.0, 0.0}));
+    history.push(posed_scan(returns, 500'000L * k, {north, 0.0, 0.0}));
     map.learn(history.newest(), std::vector<double>(history.newest().detections.size()), kRate);
     map.add(history.newest());
   }
@@ -40,7 +40,7 @@ ClutterMap taught(double speed, ScanHistory& history, const Extra& extra) {
 
 float background_of(const core::SonarReturn& seen, int beam, double north, const ClutterMap& map,
                     ScanHistory& history) {
-  history.push(posed_scan({seen}, 500'000 * kScans, {north, 0.0, 0.0}));
+  history.push(posed_scan({seen}, 500'000L * kScans, {north, 0.0, 0.0}));
   std::vector<float> background(history.newest().background.size());
   map.price(history.newest(), kRate, background);
   return background[static_cast<std::size_t>(beam) + 1];
@@ -111,7 +111,7 @@ TEST(ClutterMap, ReturnsThatATargetTookAreNotCounted) {
       own.push_back(detection.beam == 45 && detection.range == 70.0 ? 1.0 : 0.0);
     map.discount(scan, own, kRate);
   }
-  history.push(posed_scan({}, 500'000 * kScans));
+  history.push(posed_scan({}, 500'000L * kScans));
   map.add(history.newest());
   EXPECT_GT(background_of(in_beam(45, 70.0), 45, 0.0, map, history), 0.3F);
 }
@@ -129,7 +129,7 @@ TEST(ClutterMap, PricesTheReturnThatTheLikelihoodTakes) {
   const ClutterMap map = taught(0.0, history, [](int, double) { return std::vector{in_beam(45, 70.0)}; });
   for (const auto& returns : {std::vector{in_beam(45, 70.0), in_beam(45, 120.0)},
                               std::vector{in_beam(45, 120.0), in_beam(45, 70.0)}}) {
-    history.push(posed_scan(returns, 500'000 * kScans));
+    history.push(posed_scan(returns, 500'000L * kScans));
     std::vector<float> background(history.newest().background.size());
     map.price(history.newest(), kRate, background);
     EXPECT_LT(background[46], 0.1F);

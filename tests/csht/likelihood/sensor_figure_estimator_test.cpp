@@ -106,7 +106,7 @@ TEST(SensorFigures, AScanThatIsPricedAnewCountsAsItIsPricedNow) {
   std::vector<core::SonarReturn> returns;
   for (int beam = 0; beam < 90; beam += 2) returns.push_back({core::radians(-44.5 + beam), 100.0, 1});
   for (int k = 0; k < 10; ++k) {
-    history.push(posed_scan(returns, 500'000 * k));
+    history.push(posed_scan(returns, 500'000L * k));
     estimator.update(history, {});
   }
   EXPECT_NEAR(estimator.estimate().false_alarm_probability, 0.5, 0.01);
@@ -144,7 +144,7 @@ double learnt_misses(double apart) {
   const std::array targets{KnownTarget{first, 1.0, 60}, KnownTarget{second, 1.0, 60},
                            KnownTarget{third, 1.0, 60}};
   for (int k = 0; k < 60; ++k) {
-    history.push(posed_scan({{0.0, 60.0, 1}, {0.0, 20.0, 1}}, 500'000 * k));
+    history.push(posed_scan({{0.0, 60.0, 1}, {0.0, 20.0, 1}}, 500'000L * k));
     estimator.update(history, targets);
   }
   return estimator.estimate().miss_probability;
