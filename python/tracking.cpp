@@ -260,6 +260,7 @@ TrackedRun track(const core::Recording& recording, TrackerChoice chosen) {
 template <class List>
 std::vector<List> lists_of(const std::vector<Result>& results, List Result::*list) {
   std::vector<List> lists;
+  lists.reserve(results.size());
   for (const Result& result : results) lists.push_back(result.*list);
   return lists;
 }

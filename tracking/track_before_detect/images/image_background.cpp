@@ -227,14 +227,16 @@ void ImageBackground::shift(const core::PosedImage& posed) {
   const SonarCellGeometry before(last_), now(posed);
   const int columns = frame_.columns, rows = frame_.rows;
   const int across = (columns + kLattice - 1) / kLattice + 1, down = (rows + kLattice - 1) / kLattice + 1;
-  std::vector<Eigen::Vector2f> from(static_cast<std::size_t>(across * down));
+  std::vector<Eigen::Vector2f> from(static_cast<std::size_t>(across) * static_cast<std::size_t>(down));
   float most = 0.0f;
   for (int j = 0; j < down; ++j)
     for (int i = 0; i < across; ++i) {
       const Eigen::Vector2d cell(i * kLattice + 0.5, j * kLattice + 0.5);
       const Eigen::Vector2d moved = before.observe(now.position_of(cell)).cell - cell;
-      from[static_cast<std::size_t>(j * across + i)] = moved.cast<float>();
-      most = std::max(most, from[static_cast<std::size_t>(j * across + i)].cwiseAbs().maxCoeff());
+      const std::size_t corner =
+          static_cast<std::size_t>(j) * static_cast<std::size_t>(across) + static_cast<std::size_t>(i);
+      from[corner] = moved.cast<float>();
+      most = std::max(most, from[corner].cwiseAbs().maxCoeff());
     }
   if (most < kStandingStill) return;
   last_ = without_intensities(posed);
@@ -245,7 +247,7 @@ void ImageBackground::shift(const core::PosedImage& posed) {
       const int i = column / kLattice, j = row / kLattice;
       const float u = static_cast<float>(column % kLattice) / kLattice;
       const float v = static_cast<float>(row % kLattice) / kLattice;
-      const auto* corner = from.data() + j * across + i;
+      const auto* corner = from.data() + std::ptrdiff_t{j} * across + i;
       const Eigen::Vector2f off = (1 - v) * ((1 - u) * corner[0] + u * corner[1]) +
                                   v * ((1 - u) * corner[across] + u * corner[across + 1]);
       const auto x = static_cast<int>(std::floor(static_cast<float>(column) + off.x() + offset_));
