@@ -240,14 +240,9 @@ std::vector<ClutterMap::PricedPlace> ClutterMap::places(const ScanTable& scan, d
 }
 
 double ClutterMap::background_at(const ScanTable& scan, const Place& place, double rate) const {
-  return 1.0 / (1.0 + std::max(sonar_or_recent(scan, place, rate).density(),
-                               earth_excess(scan, place, rate).density()));
-}
-
-// What is denser in the sonar's frame: the scans that are far from this one in time, or those near it.
-Excess ClutterMap::sonar_or_recent(const ScanTable& scan, const Place& place, double rate) const {
-  const Excess settled = sonar_excess(scan, place, rate), recent = recent_excess(scan, place, rate);
-  return settled.density() > recent.density() ? settled : recent;
+  return 1.0 / (1.0 + std::max({sonar_excess(scan, place, rate).density(),
+                                recent_excess(scan, place, rate).density(),
+                                earth_excess(scan, place, rate).density()}));
 }
 
 // What lies on both sides of a place, along the beams or across them, in the scans near in time: it needs no
@@ -378,11 +373,12 @@ void ClutterMap::learn(const ScanTable& newest, std::span<const double> own, dou
   if (num_counted_ > 0.0) earth_dense_.begin_scan();
   for (std::size_t j = 0; j < newest.detections.size(); ++j) {
     const Place place = place_of(newest, newest.detections[j]);
-    const Excess sonar = sonar_or_recent(newest, place, rate);
+    const Excess settled = sonar_excess(newest, place, rate), recent = recent_excess(newest, place, rate);
+    const Excess& sonar = settled.density() > recent.density() ? settled : recent;
     sonar_dense_.take(1.0 - own[j], sonar.density() > 0.0 ? sonar.probability : 0.0, sonar.rate);
     if (num_counted_ == 0.0) continue;
     const double stands = earth_excess(newest, place, rate).density();
-    const bool denser = stands > sonar_excess(newest, place, rate).density();
+    const bool denser = stands > settled.density();
     earth_dense_.take(1.0, denser ? stands / (1.0 + stands) : 0.0, 1.0 + stands);
   }
 }

@@ -114,7 +114,6 @@ class ClutterMap {
   }
   Excess sonar_excess(const ScanTable& scan, const Place& place, double rate) const;
   Excess earth_excess(const ScanTable& scan, const Place& place, double rate) const;
-  Excess sonar_or_recent(const ScanTable& scan, const Place& place, double rate) const;
   double background_at(const ScanTable& scan, const Place& place, double rate) const;
   Excess recent_excess(const ScanTable& scan, const Place& place, double rate) const;
   ExcessPrior sonar_prior() const;

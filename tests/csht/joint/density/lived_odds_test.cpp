@@ -23,6 +23,14 @@ TEST(LivedOdds, IsTheBernoulliFilter) {
               1e-12);
 }
 
+// Fast scans add up to thousands of nats: neither certainty is beyond the numbers.
+TEST(LivedOdds, StayFiniteHoweverSureTheyAre) {
+  const std::vector<double> immortal(500, 1.0), mortal(500, 0.999);
+  EXPECT_NEAR(lived_odds(-10.0, std::vector<double>(500, 5.0), immortal), 2490.0, 1e-6);
+  EXPECT_NEAR(lived_odds(-10.0, std::vector<double>(500, -5.0), mortal), -2510.0 + 499.0 * std::log(0.999),
+              0.01);
+}
+
 // However much a target gained, before a scan it has survived with no more than the probability to do so.
 TEST(LivedOdds, SaturateAtTheProbabilityToVanish) {
   const std::vector<double> survival(40, 0.999);
