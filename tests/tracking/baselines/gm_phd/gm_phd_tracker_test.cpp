@@ -31,28 +31,6 @@ TEST(GmPhdTracker, ClutterAloneConfirmsLittle) {
   EXPECT_LT(false_tracks, 30U);  // of some 800 false returns
 }
 
-TEST(GmPhdTracker, CrossingTargetsKeepTheirIdentities) {
-  GmPhdTracker tracker({}, known_sonar(0.1, 0.05));
-  EXPECT_TRUE(crossing_targets_keep_their_identities(tracker));
-}
-
-TEST(GmPhdTracker, ALostTargetEnds) {
-  GmPhdTracker tracker({}, known_sonar(0.1, 0.05));
-  for (int k = 0; k < 20; ++k) tracker.update(scan_of(k, {{60.0, 0.0}}), {});
-  std::span<const core::Track> tracks;
-  for (int k = 20; k < 40; ++k) tracks = tracker.update(scan_of(k, {}), {});
-  EXPECT_TRUE(confirmed(tracks).empty());
-}
-
-TEST(GmPhdTracker, IdentitiesGoOn) {
-  GmPhdTracker tracker({}, known_sonar(0.1, 0.05));
-  tracker.set_next_id(100);
-  const auto tracks = tracker.update(scan_of(0, {{60.0, 0.0}}), {});
-  ASSERT_EQ(tracks.size(), 1U);
-  EXPECT_EQ(tracks[0].id, 100);
-  EXPECT_EQ(tracker.next_id(), 101);
-}
-
 TEST(GmPhdTracker, RefusesParametersOutOfRange) {
   GmPhdParams params;
   params.intensity.most = 0;
