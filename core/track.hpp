@@ -28,9 +28,9 @@ struct Track {
   Eigen::Vector4d state{0, 0, 0, 0};            ///< North, east [m], north velocity, east velocity [m/s].
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();  ///< Of `state`, SI.
   double existence = 0.0;                                ///< Probability that there is a target.
-  double moving = 1.0;           ///< Probability that it moves over ground; 1 from methods without.
-  std::int64_t first_utime = 0;                          ///< When the track began [us].
-  std::int64_t last_detection_utime = 0;                 ///< When it last had a detection of its own [us].
+  double moving = 1.0;                    ///< Probability that it moves over ground; 1 from methods without.
+  std::int64_t first_utime = 0;           ///< When the track began [us].
+  std::int64_t last_detection_utime = 0;  ///< When it last had a detection of its own [us].
 
   Eigen::Vector2d position() const { return state.head<2>(); }  ///< North, east [m].
   Eigen::Vector2d velocity() const { return state.tail<2>(); }  ///< North, east [m/s].

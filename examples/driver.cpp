@@ -12,13 +12,14 @@ int main() {
   for (int ping = 0; ping < 40; ++ping) {
     lookout::vehicle_state_t state{};  // Braces: without them fields hold anything.
     state.utime = std::chrono::duration_cast<std::chrono::microseconds>(
-                      std::chrono::system_clock::now().time_since_epoch()).count();
+                      std::chrono::system_clock::now().time_since_epoch())
+                      .count();
     state.north = 0.1 * ping;  // Metres; heading in radians clockwise from north.
     link.publish("VEHICLE_STATE", &state);
 
     lookout::sonar_scan_t scan{};
-    scan.utime = state.utime;  // When the ping was sent; the pose at that very time serves it.
-    scan.sequence = ping;      // One more each ping: gaps are counted as losses.
+    scan.utime = state.utime;         // When the ping was sent; the pose at that very time serves it.
+    scan.sequence = ping;             // One more each ping: gaps are counted as losses.
     scan.first_bearing = -0.7766715;  // Radians, positive to starboard, of the centre of beam 0.
     scan.bearing_step = 0.0174533;
     scan.num_beams = 90;

@@ -64,7 +64,7 @@ class TrackingChain {
   void add(core::SonarScan scan) { intake_.add(std::move(scan)); }
   /// A scan came for which there is no time: it is counted and left out.
   void shed(const core::SonarScan& scan) { intake_.shed(scan); }
-  void finish();                                         ///< There is no more data: gives what still waits.
+  void finish();  ///< There is no more data: gives what still waits.
   /// What is known of the sensor from now on, in place of `ChainParams::sensor`. Has no effect on scans that
   /// are tracked already: asks that there are none. @throws std::invalid_argument on params out of range.
   void use(const core::SonarParams& sensor);

@@ -55,7 +55,10 @@ void write_tracks(const std::string& path, const std::vector<lcmtypes::KeyedTrac
     for (const auto& track : list.tracks) {
       csv.number(core::seconds(list.key.utime)).integer(track.id).text(core::to_string(track.status));
       for (const double value : track.state) csv.number(value);
-      csv.number(track.existence).number(track.moving).number(track.covariance(0, 0)).number(track.covariance(0, 1));
+      csv.number(track.existence)
+          .number(track.moving)
+          .number(track.covariance(0, 0))
+          .number(track.covariance(0, 1));
       csv.number(track.covariance(1, 1)).end_row();
     }
   }

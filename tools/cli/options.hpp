@@ -15,7 +15,7 @@ struct Options {
   std::string out;                   ///< Directory or file to write.
   std::vector<std::string> plugins;  ///< Shared libraries that were loaded, as they were named.
   std::uint64_t seed = 1;
-  std::string config;          ///< Configuration YAML.
+  std::string config;  ///< Configuration YAML.
   /// The configuration itself, which `config` then only names; empty: it is read from there.
   std::string config_text;
   std::string input = "scan";  ///< What is tracked: scan or image.

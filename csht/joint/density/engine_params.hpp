@@ -94,7 +94,7 @@ struct SensorLearningParams {
 
 /// How the density of false returns is learnt, and what tracks have to do with it.
 struct ClutterLearningParams {
-  SpillParams spill;  ///< How echoes heard in several beams are recognised.
+  SpillParams spill;              ///< How echoes heard in several beams are recognised.
   ClutterMapParams map;           ///< Where false returns are counted.
   int judge_every = 4;            ///< Scans after which all in memory are judged anew, >= 1.
   double least_change = 0.05;     ///< Relative change of a return's share that is worth it, > 0.

@@ -35,7 +35,8 @@ TEST(ImageTrackerNode, PublishesEachResultOnceForEachImage) {
       "  - {id: 1, north: 60.0, east: 0.0, north_velocity: -1.0}\n"
       "  - {id: 2, north: 90.0, east: 20.0, east_velocity: 1.0}\n";
   const auto pings = pings_of(sonar_scene(targets, 8.0, 20.0), 1008);
-  bus.publish("VEHICLE_STATE", lcmtypes::to_wire(core::VehicleState{pings.front().image.utime, {}, {0.0, 0.0}}));
+  bus.publish("VEHICLE_STATE",
+              lcmtypes::to_wire(core::VehicleState{pings.front().image.utime, {}, {0.0, 0.0}}));
   for (const auto& ping : pings) {
     bus.publish("SONAR_IMAGE", lcmtypes::to_wire(ping.image));
     bus.publish("VEHICLE_STATE", lcmtypes::to_wire(core::VehicleState{ping.image.utime + 1, {}, {0.0, 0.0}}));

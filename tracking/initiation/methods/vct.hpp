@@ -68,7 +68,7 @@ class VctInitiator : public Initiator {
   /// A chain that is accepted.
   struct Chain {
     double log_expected = 0.0;
-    double turn_rate = 0.0;  ///< [rad/s].
+    double turn_rate = 0.0;                     ///< [rad/s].
     std::size_t first_plot = 0, num_plots = 0;  ///< In `chain_plots_`.
   };
   /// A branch that a plot could get.
