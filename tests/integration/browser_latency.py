@@ -1,13 +1,16 @@
-"""How long a tracker takes for a scan while a browser that is stalled looks on, and while none does, in one run."""
+"""What a tracker needs for a scan while two clients look on, one of them stalled, and while none does, in one run: the time
+that passes and the tracker's own CPU time, which other programs on the machine do not lengthen by making it wait."""
 import math
+import pathlib
 import select
 import socket
 import statistics
 import struct
 import time
 
-SETTLE_S, BLOCK_S = 0.4, 1.0
-FEWEST_PAIRS, MOST_PAIRS = 12, 60
+# Short blocks, for a machine's load drifts. A stalled client costs most while its buffers fill: before it is cut off.
+SETTLE_S, BLOCK_S = 0.1, 0.25
+FEWEST_PAIRS, MOST_PAIRS = 40, 300
 FEWEST_SCANS = 10         # Of a block that says something.
 SMALL_MAGIC = 0x4C433032  # "LC02": a message of one datagram.
 SO_TIMESTAMPNS = 35       # Linux's; a name that Python does not have.
@@ -65,29 +68,38 @@ def ratio_and_error(ratios):
     return median, MEDIAN_TO_MEAN * MAD_TO_SIGMA * deviation / math.sqrt(len(ratios))
 
 
-def latency(listener, stall):
-    """The median of one block; with `stall` before a stalled client. None where the machine kept everybody waiting."""
-    client = stall() if stall else None
+def cpu_ms(pid):
+    """CPU time of all threads of a process so far, by the kernel's count of nanoseconds."""
+    return 1e-6 * sum(int(task.joinpath("schedstat").read_text().split()[0]) for task in pathlib.Path(f"/proc/{pid}/task").iterdir())
+
+
+def block(listener, tracker, clients):
+    """Median latency and CPU time a scan of one block, before what `clients()` opens. None where the machine kept all waiting."""
+    opened = clients() if clients else []
     time.sleep(SETTLE_S)
     listener.forget()
+    begin = cpu_ms(tracker)
     found = listener.latencies(BLOCK_S)
-    if client:
+    used = cpu_ms(tracker) - begin
+    for client in opened:
         client.close()
-    return statistics.median(found) if len(found) >= FEWEST_SCANS else None
+    return (statistics.median(found), used / len(found)) if len(found) >= FEWEST_SCANS else None
 
 
-def compare(listener, stall, largest_error):
-    """Latency with a stalled browser over that without: log ratio, standard error, pairs of blocks.
+def compare(listener, tracker, clients, largest_error):
+    """What scans cost with clients over what they cost without: (log ratio, standard error) of latency and of CPU time, and pairs.
 
-    stall() opens a stalled client and returns it. Blocks come in turns (without, with, with, without), so that what
-    drifts falls on both; pairs are taken until the error is at most largest_error, MOST_PAIRS at most.
+    tracker is a process; clients() opens clients and returns them. Blocks come in turns (without, with, with, without),
+    so that what drifts falls on both; pairs are taken until both errors are at most largest_error, MOST_PAIRS at most.
     """
-    ratios = []
+    ratios, ends = [], ((0.0, math.inf), (0.0, math.inf))
     for pair in range(MOST_PAIRS):
-        turns = (None, stall) if pair % 2 == 0 else (stall, None)
-        medians = {turn is stall: latency(listener, turn) for turn in turns}
-        if None not in medians.values():
-            ratios.append(math.log(medians[True] / medians[False]))
-        if len(ratios) >= FEWEST_PAIRS and ratio_and_error(ratios)[1] <= largest_error:
+        turns = (None, clients) if pair % 2 == 0 else (clients, None)
+        costs = {turn is clients: block(listener, tracker, turn) for turn in turns}
+        if None not in costs.values():
+            ratios.append([math.log(a / b) for a, b in zip(costs[True], costs[False])])
+        if len(ratios) >= FEWEST_PAIRS:
+            ends = tuple(ratio_and_error(each) for each in zip(*ratios))
+        if max(error for _, error in ends) <= largest_error:
             break
-    return (*ratio_and_error(ratios), len(ratios)) if len(ratios) >= FEWEST_PAIRS else (0.0, math.inf, len(ratios))
+    return *ends, len(ratios)
