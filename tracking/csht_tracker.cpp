@@ -71,8 +71,10 @@ void CshtTracker::smooth(const core::SonarParams& sonar) {
 /// filter.
 void CshtTracker::watch(std::size_t track, const core::Detection& detection, const core::SonarParams& sonar) {
   if (book_.life(track).age() < params_.smoother.young_scans) return;
-  manoeuvre_.notice(book_.tracks()[track], book_.drift(track), detection.p_earth,
-                    position_noise(detection, sonar));
+  if (manoeuvre_.notice(book_.tracks()[track], book_.drift(track), detection.p_earth,
+                        position_noise(detection, sonar)))
+    book_.tell(track, detection.utime, DecisionKind::manoeuvre,
+               "its detections lie to one side of a straight course");
 }
 
 void CshtTracker::begin_on_new_elements(const core::PosedScan& scan, const core::SonarParams& sonar) {
@@ -82,7 +84,7 @@ void CshtTracker::begin_on_new_elements(const core::PosedScan& scan, const core:
     if (!is_new || element.existence < params_.min_existence) continue;
     // A target that has left the field of view already begins no track.
     if (!core::observe(sonar, scan.T_earth_sonar, element.position).visible()) continue;
-    book_.begin(scan.scan.utime, element.state(), element.covariance);
+    book_.begin(scan.scan.utime, element.state(), element.covariance, "a motion element that no track took");
     book_.tracks().back().existence = element.existence;
   }
 }

@@ -41,6 +41,8 @@ class CshtTracker : public Tracker {
   csht::Explained take(const core::PosedScan& /*scan*/) override { return {book_.tracks()}; }
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
+  bool explains() const override { return true; }
+  void explain_to(const DecisionLog& log) override { book_.explain_to(log); }
   std::int64_t next_id() const override { return book_.next_id(); }
   void set_next_id(std::int64_t id) override { book_.set_next_id(id); }
 

@@ -63,6 +63,8 @@ quietly "$lookout" compare "$scene" --plugin "$toy" --method toy_tracker --metho
   --out "$folder/compare"
 grep -q '^scene,toy_tracker,1,0,' "$folder/compare/curves.csv" || fail "the comparison does not know the toy"
 grep -q '"command": "lookout compare .*--plugin' "$folder/compare/results.json" || fail "the plug-in is not told"
+refused '--explain: has no effect on tracker toy_tracker' "$lookout" run "$scene" --plugin "$toy" \
+  --tracker toy_tracker --explain --out "$folder/none"
 refused 'got `toy_tracker`' "$lookout" compare "$scene" --method toy_tracker --out "$folder/none"
 
 # Names: known with the plug-in, unknown without; keys: its own alone.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <string>
 
 #include "tests/support/sonar_scene.hpp"
 
@@ -82,6 +83,21 @@ TEST_F(CshtTrackerTest, AnOldTrackFollowsItsSamples) {
   const auto tracks = step({element(50.0, 0.0)}, {{51.0, 0.0}});
   EXPECT_GT(tracks[0].state(0), 50.0);  // pulled towards the detection
   EXPECT_LT(tracks[0].state(0), 51.0);
+}
+
+TEST_F(CshtTrackerTest, TellsWhatBeganTurnedAndEndedATrack) {
+  ASSERT_TRUE(tracker_.explains());
+  std::string told;
+  tracker_.explain_to(
+      [&told](const TrackDecision& decision) { told += std::string(to_string(decision.kind)) + " "; });
+  step({element(50.0, 0.0)});
+  for (int k = 1; k < 40; ++k) step({element(50.0, 0.0)}, {{50.0, 0.0}});
+  EXPECT_EQ(told, "begin confirm ");
+  for (int k = 0; k < 40; ++k)  // It starts at 1 m/s.
+    step({element(50.0 + 0.5 * k, 1.0)}, {{50.0 + 0.5 * k, 0.0}});
+  EXPECT_EQ(told.rfind("begin confirm manoeuvre ", 0), 0U) << told;
+  for (int k = 0; k < 10; ++k) step({});
+  EXPECT_TRUE(told.ends_with("end ")) << told;
 }
 
 TEST(CshtTracker, RefusesParametersOutOfRange) {

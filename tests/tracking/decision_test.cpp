@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -15,6 +16,20 @@ TEST(DecisionKind, EachHasANameOfItsOwn) {
   EXPECT_EQ(names.size(), static_cast<std::size_t>(DecisionKind::end) + 1);
   EXPECT_EQ(names.count("unknown"), 0U);
   EXPECT_STREQ(to_string(DecisionKind::coast), "coast");
+}
+
+TEST(TrackDecision, RestsOnEvidenceOrOnCounts) {
+  EXPECT_EQ(evidence_text({.evidence = 7.25}), "7.2 nats");
+  EXPECT_EQ(evidence_text({.count = {.hits = 6, .scans = 9}}), "supported in 6 of 9 scans");
+  EXPECT_EQ(evidence_text({.count = {.hits = 2, .scans = 9, .misses = 3}}),
+            "supported in 2 of 9 scans, missed in 3 since");
+}
+
+TEST(TrackDecision, LogOddsStayFinite) {
+  EXPECT_DOUBLE_EQ(log_odds(0.5), 0.0);
+  EXPECT_NEAR(log_odds(0.9), std::log(9.0), 1e-12);
+  EXPECT_NEAR(log_odds(1.0), 36.0, 0.1);  // -ln(2^-52)
+  EXPECT_NEAR(log_odds(0.0), -36.0, 0.1);
 }
 
 }  // namespace

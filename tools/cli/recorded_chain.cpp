@@ -13,9 +13,9 @@ constexpr std::size_t kLongestLine = 160;
 // One line: time, track, decision, evidence, reason.
 void log_decision(const tracking::TrackDecision& decision) {
   char line[kLongestLine];
-  std::snprintf(line, sizeof line, "%.3f s track %lld: %s, %.1f nats, %s", core::seconds(decision.utime),
-                static_cast<long long>(decision.track), tracking::to_string(decision.kind), decision.evidence,
-                decision.reason);
+  std::snprintf(line, sizeof line, "%.3f s track %lld: %s, %s, %s", core::seconds(decision.utime),
+                static_cast<long long>(decision.track), tracking::to_string(decision.kind),
+                tracking::evidence_text(decision).c_str(), decision.reason);
   log_info(line);
 }
 

@@ -8,7 +8,7 @@ void begin_on_proposals(BirthMethod& births, const core::PosedScan& scan, const 
                         TrackBook& book) {
   for (const core::MotionElement& element : births.propose(scan, book.tracks())) {
     if (!core::observe(sonar, scan.T_earth_sonar, element.position).visible()) continue;
-    book.begin(scan.scan.utime, element.state(), element.covariance);
+    book.begin(scan.scan.utime, element.state(), element.covariance, "a proposal of the initiator");
     book.tracks().back().existence = element.existence;
   }
 }

@@ -7,6 +7,7 @@
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
 #include "core/track.hpp"
+#include "tracking/decision.hpp"
 #include "tracking/management/track_life.hpp"
 #include "tracking/smoothing/constant_velocity_filter.hpp"
 
@@ -26,7 +27,14 @@ class TrackBook {
   void step(const core::PosedScan& scan, const core::SonarParams& sonar, const std::vector<char>& supported);
 
   /// Begins a track at the book's time with a new identity, at the end of `tracks`.
-  void begin(std::int64_t utime, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance);
+  /// @param reason of the decision to begin it; a static text.
+  void begin(std::int64_t utime, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance,
+             const char* reason = "a detection that no track took");
+
+  /// Sends every decision from now on to `log`: what `begin` and `step` decide, and what `tell` is told.
+  void explain_to(const DecisionLog& log) { log_ = log; }
+  /// Tells a decision that was made elsewhere about one of `tracks()`. @param utime of the scan [us].
+  void tell(std::size_t index, std::int64_t utime, DecisionKind kind, const char* reason) const;
 
   std::int64_t next_id() const { return next_id_; }     ///< The identity of the next track.
   void set_next_id(std::int64_t id) { next_id_ = id; }  ///< Identities go on from there.
@@ -40,7 +48,10 @@ class TrackBook {
   Eigen::Vector2d& drift(std::size_t index) { return drifts_[index]; }
 
  private:
+  void step_life(std::size_t index, const TrackLife::Evidence& evidence);
+
   TrackLifeParams params_;
+  DecisionLog log_;
   std::vector<core::Track> tracks_;
   std::vector<TrackLife> lives_;         ///< Of `tracks_`, index by index.
   std::vector<Eigen::Vector2d> drifts_;  ///< Likewise.

@@ -120,6 +120,15 @@ TEST(Configuration, AClutterMapIsPublishedByTrackersThatLearnOne) {
   EXPECT_NE(idle(options).find("got 0, expected seconds above 0"), std::string::npos);
 }
 
+TEST(Configuration, EveryTrackerOfTheLibraryExplainsItself) {
+  Options options;
+  options.explain = true;
+  for (const auto& tracker : tracking::tracker_names()) {
+    options.tracker = tracker;
+    EXPECT_EQ(idle(options), "") << tracker;
+  }
+}
+
 TEST(Configuration, LagIsInMicrosecondsAndBounded) {
   Options options;
   options.lag = 2.5;

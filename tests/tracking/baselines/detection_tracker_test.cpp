@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/support/sonar_scene.hpp"
 
 namespace lookout::tracking {
@@ -55,6 +57,17 @@ TEST(DetectionTracker, ATentativeTrackExistsByItsShareOfM) {
 TEST(DetectionTracker, WithABirthMethodFreeDetectionsBeginNothing) {
   OneByOne tracker(std::make_unique<Barren>());
   EXPECT_TRUE(tracker.update(scan_of(0, {{50.0, 0.0}}), {}).empty());
+}
+
+TEST(DetectionTracker, TellsWhatItsBookDecides) {
+  OneByOne tracker;
+  ASSERT_TRUE(tracker.explains());
+  std::string told;
+  tracker.explain_to(
+      [&told](const TrackDecision& decision) { told += std::string(to_string(decision.kind)) + " "; });
+  for (int k = 0; k < 3; ++k) tracker.update(scan_of(k, {{50.0, 0.0}}), {});
+  for (int k = 3; k < 6; ++k) tracker.update(scan_of(k, {}), {});
+  EXPECT_EQ(told, "begin confirm end ");
 }
 
 }  // namespace

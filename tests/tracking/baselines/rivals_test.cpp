@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/tracking/baselines/rival_scans.hpp"
 #include "tracking/baselines/gm_phd/gm_phd_tracker.hpp"
 #include "tracking/baselines/jipda/jipda_tracker.hpp"
@@ -25,6 +27,19 @@ TYPED_TEST(Rival, ALostTargetEnds) {
   std::span<const core::Track> tracks;
   for (int k = 20; k < 40; ++k) tracks = tracker.update(scan_of(k, {}), {});
   EXPECT_TRUE(confirmed(tracks).empty());
+}
+
+TYPED_TEST(Rival, TellsBeginningConfirmationAndEnd) {
+  TypeParam tracker({}, known_sonar(0.1, 0.05));
+  ASSERT_TRUE(tracker.explains());
+  std::string told;
+  tracker.explain_to([&told](const TrackDecision& decision) {
+    EXPECT_STRNE(decision.reason, "");
+    if (decision.track == 1) told += std::string(to_string(decision.kind)) + " ";
+  });
+  for (int k = 0; k < 20; ++k) tracker.update(scan_of(k, {{60.0, 0.0}}), {});
+  for (int k = 20; k < 40; ++k) tracker.update(scan_of(k, {}), {});
+  EXPECT_EQ(told, "begin confirm end ");
 }
 
 TYPED_TEST(Rival, IdentitiesGoOn) {

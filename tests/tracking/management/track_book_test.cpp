@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 namespace lookout::tracking {
 namespace {
 
@@ -37,6 +39,21 @@ TEST(TrackBook, OutsideTheSectorATrackCoasts) {
   book.step(scan_at(1), {}, {1});
   ASSERT_EQ(book.tracks().size(), 1U);
   EXPECT_EQ(book.tracks()[0].status, core::TrackStatus::coasting);
+}
+
+TEST(TrackBook, TellsWhatItDecidesWithItsCounts) {
+  TrackBook book({.confirm_hits = 2, .confirm_scans = 3});
+  std::string told;
+  book.explain_to([&told](const TrackDecision& decision) {
+    told += std::to_string(decision.utime) + " " + to_string(decision.kind) + ", " + evidence_text(decision) +
+            ", " + decision.reason + "\n";
+  });
+  book.begin(0, {50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
+  for (int k = 1; k <= 4; ++k) book.step(scan_at(k), {}, std::vector<char>(book.tracks().size(), k == 1));
+  EXPECT_EQ(told,
+            "0 begin, supported in 1 of 1 scans, a detection that no track took\n"
+            "1 confirm, supported in 2 of 2 scans, supported often enough since its beginning\n"
+            "3 end, supported in 2 of 4 scans, missed in 2 since, missed too often in a row\n");
 }
 
 TEST(TrackBook, PredictsFromScanToScan) {

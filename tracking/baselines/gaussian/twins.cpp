@@ -32,8 +32,7 @@ std::vector<char> find_twins(std::span<const BernoulliTrack> tracks, double dist
   return dropped;
 }
 
-void drop_twins(std::vector<BernoulliTrack>& tracks, double distance) {
-  const std::vector<char> dropped = find_twins(tracks, distance);
+void drop(std::vector<BernoulliTrack>& tracks, const std::vector<char>& dropped) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < tracks.size(); ++i)
     if (!dropped[i]) tracks[kept++] = tracks[i];

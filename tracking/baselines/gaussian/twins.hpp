@@ -10,7 +10,7 @@ namespace lookout::tracking {
 /// Mahalanobis, under the sum of both covariances), the less probable one. @return one flag a track.
 std::vector<char> find_twins(std::span<const BernoulliTrack> tracks, double distance);
 
-/// Drops them. The order is kept.
-void drop_twins(std::vector<BernoulliTrack>& tracks, double distance);
+/// Drops the tracks with a flag, one a track. The order is kept.
+void drop(std::vector<BernoulliTrack>& tracks, const std::vector<char>& dropped);
 
 }  // namespace lookout::tracking

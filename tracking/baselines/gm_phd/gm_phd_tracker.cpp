@@ -38,13 +38,22 @@ void GmPhdTracker::follow_labels() {
   tracks_.clear();
   auto old = before_.begin();
   for (const auto& label : intensity_.labels()) {
-    while (old != before_.end() && old->id < label.label) ++old;
-    BernoulliTrack track;
-    track.first_utime = track.last_detection_utime = scene_.utime();
-    if (old != before_.end() && old->id == label.label) track = *old;
-    follow(track, label);
-    tracks_.push_back(track);
+    for (; old != before_.end() && old->id < label.label; ++old) tell_lost(*old);
+    const bool is_new = old == before_.end() || old->id != label.label;
+    tracks_.push_back(is_new ? BernoulliTrack{} : *old++);
+    follow(tracks_.back(), label);
+    if (is_new) begin(tracks_.back());
   }
+  for (; old != before_.end(); ++old) tell_lost(*old);
+}
+
+void GmPhdTracker::begin(BernoulliTrack& track) {
+  track.first_utime = track.last_detection_utime = scene_.utime();
+  decisions_.began(track);
+}
+
+void GmPhdTracker::tell_lost(const BernoulliTrack& track) const {
+  decisions_.ended(track, scene_.utime(), "its weight fell to nothing, or went to another label");
 }
 
 void GmPhdTracker::follow(BernoulliTrack& track, const LabelSum& label) {
@@ -60,7 +69,7 @@ void GmPhdTracker::step_lives() {
   std::size_t kept = 0;
   for (auto& track : tracks_) {
     const bool in_view = scene_.view().in_view(track.spread) >= kHalf;
-    track.life.step(params_.existence, {scene_.utime(), track.existence, in_view});
+    decisions_.step(track, params_.existence, scene_.utime(), in_view);
     if (track.life.ended())
       intensity_.forget(track.id);
     else

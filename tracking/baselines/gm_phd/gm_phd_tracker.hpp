@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "tracking/baselines/gaussian/bernoulli_decisions.hpp"
 #include "tracking/baselines/gaussian/bernoulli_track.hpp"
 #include "tracking/baselines/gm_phd/phd_intensity.hpp"
 #include "tracking/tracker.hpp"
@@ -32,18 +33,23 @@ class GmPhdTracker : public Tracker {
   /// Works on returns alone: `elements` are not used.
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
+  bool explains() const override { return true; }
+  void explain_to(const DecisionLog& log) override { decisions_.tell_to(log); }
   std::int64_t next_id() const override { return next_id_; }
   void set_next_id(std::int64_t id) override { next_id_ = id; }
 
  private:
   void follow_labels();
   void follow(BernoulliTrack& track, const LabelSum& label);
+  void begin(BernoulliTrack& track);
+  void tell_lost(const BernoulliTrack& track) const;
   void step_lives();
   std::span<const core::Track> report();
 
   GmPhdParams params_;
   TargetMotion motion_;
   RivalScene scene_;
+  BernoulliDecisions decisions_;
   PhdIntensity intensity_;
   std::vector<BernoulliTrack> tracks_, before_;  ///< One a label, in their order.
   std::vector<core::Track> reported_;

@@ -24,7 +24,7 @@ std::span<const core::Track> JipdaTracker::update(const core::PosedScan& scan,
   scene_.look(scan);
   predict();
   associate();
-  drop_twins(tracks_, params_.twin_distance);
+  drop_twins();
   step_lives();
   learn();
   begin();
@@ -45,12 +45,18 @@ void JipdaTracker::associate() {
   update_.update(tracks_, scene_, free_);
 }
 
+void JipdaTracker::drop_twins() {
+  const std::vector<char> dropped = find_twins(tracks_, params_.twin_distance);
+  decisions_.merged(tracks_, dropped, scene_.utime());
+  drop(tracks_, dropped);
+}
+
 void JipdaTracker::step_lives() {
   constexpr double kHalf = 0.5;
   std::size_t kept = 0;
   for (auto& track : tracks_) {
     const bool in_view = scene_.view().in_view(scene_.view().spread_of(track.target)) >= kHalf;
-    track.life.step(params_.existence, {scene_.utime(), track.existence, in_view});
+    decisions_.step(track, params_.existence, scene_.utime(), in_view);
     if (!track.life.ended()) tracks_[kept++] = track;
   }
   tracks_.resize(kept);
@@ -73,6 +79,7 @@ void JipdaTracker::begin() {
     track.existence = existence;
     track.first_utime = track.last_detection_utime = scene_.utime();
     tracks_.push_back(track);
+    decisions_.began(track);
   }
 }
 

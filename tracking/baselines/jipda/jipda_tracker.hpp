@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "tracking/baselines/gaussian/bernoulli_decisions.hpp"
 #include "tracking/baselines/gaussian/bernoulli_track.hpp"
 #include "tracking/baselines/gaussian/target_motion.hpp"
 #include "tracking/tracker.hpp"
@@ -34,12 +35,15 @@ class JipdaTracker : public Tracker {
   /// Works on returns alone: `elements` are not used.
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
+  bool explains() const override { return true; }
+  void explain_to(const DecisionLog& log) override { decisions_.tell_to(log); }
   std::int64_t next_id() const override { return next_id_; }
   void set_next_id(std::int64_t id) override { next_id_ = id; }
 
  private:
   void predict();
   void associate();
+  void drop_twins();
   void step_lives();
   void learn();
   void begin();
@@ -48,6 +52,7 @@ class JipdaTracker : public Tracker {
   JipdaParams params_;
   TargetMotion motion_;
   RivalScene scene_;
+  BernoulliDecisions decisions_;
   std::vector<BernoulliTrack> tracks_;
   BernoulliUpdate update_;
   std::vector<double> free_;

@@ -6,15 +6,6 @@
 #include "tracking/baselines/gaussian/twins.hpp"
 
 namespace lookout::tracking {
-namespace {
-
-void step_life(BernoulliTrack& head, const ExistenceParams& params, const RivalScene& scene) {
-  constexpr double kHalf = 0.5;
-  const bool in_view = scene.view().in_view(scene.view().spread_of(head.target)) >= kHalf;
-  head.life.step(params, {scene.utime(), head.existence, in_view});
-}
-
-}  // namespace
 
 void PmbmParams::validate() const {
   existence.validate();
@@ -81,20 +72,24 @@ void PmbmTracker::drop(const std::vector<char>& dropped) {
 
 void PmbmTracker::drop_twins() {
   collect_heads();
-  drop(find_twins(heads_, params_.twin_distance));
+  const std::vector<char> dropped = find_twins(heads_, params_.twin_distance);
+  decisions_.merged(heads_, dropped, scene_.utime());
+  drop(dropped);
 }
 
 void PmbmTracker::step_lives() {
   std::vector<char> ended;
-  for (auto& track : mixture_.tracks()) {
-    step_life(track.head, params_.existence, scene_);
-    ended.push_back(track.head.life.ended() ? 1 : 0);
-  }
-  for (auto& tree : trees_) {
-    step_life(tree.head, params_.existence, scene_);
-    ended.push_back(tree.head.life.ended() ? 1 : 0);
-  }
+  for (auto& track : mixture_.tracks()) ended.push_back(step_life(track.head) ? 1 : 0);
+  for (auto& tree : trees_) ended.push_back(step_life(tree.head) ? 1 : 0);
   drop(ended);
+}
+
+/// @return whether the track ends.
+bool PmbmTracker::step_life(BernoulliTrack& head) {
+  constexpr double kHalf = 0.5;
+  const bool in_view = scene_.view().in_view(scene_.view().spread_of(head.target)) >= kHalf;
+  decisions_.step(head, params_.existence, scene_.utime(), in_view);
+  return head.life.ended();
 }
 
 void PmbmTracker::learn() {
@@ -131,6 +126,7 @@ void PmbmTracker::begin() {
     tree.head.first_utime = tree.head.last_detection_utime = scene_.utime();
     tree.hypotheses.push_back({existence, motion_.born(returns[j].measurement)});
     sum_up(tree);
+    decisions_.began(tree.head);
     trees_.push_back(std::move(tree));
   }
 }

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "tracking/baselines/gaussian/bernoulli_decisions.hpp"
 #include "tracking/baselines/pmbm/hypothesis_mixture.hpp"
 #include "tracking/tracker.hpp"
 
@@ -43,6 +44,8 @@ class PmbmTracker : public Tracker {
   /// Works on returns alone: `elements` are not used.
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
+  bool explains() const override { return true; }
+  void explain_to(const DecisionLog& log) override { decisions_.tell_to(log); }
   std::int64_t next_id() const override { return next_id_; }
   void set_next_id(std::int64_t id) override { next_id_ = id; }
 
@@ -50,6 +53,7 @@ class PmbmTracker : public Tracker {
   void predict();
   void associate();
   void step_lives();
+  bool step_life(BernoulliTrack& head);
   void drop_twins();
   void learn();
   void move_between();
@@ -61,6 +65,7 @@ class PmbmTracker : public Tracker {
   PmbmParams params_;
   TargetMotion motion_;
   RivalScene scene_;
+  BernoulliDecisions decisions_;
   HypothesisMixture mixture_;     ///< Of the tracks that exist probably.
   std::vector<TrackTree> trees_;  ///< The others.
   TrackTreeUpdate update_;

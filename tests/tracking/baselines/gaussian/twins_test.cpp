@@ -15,7 +15,7 @@ BernoulliTrack track(std::int64_t id, double north, double velocity, double exis
 }
 
 std::vector<std::int64_t> ids_after(std::vector<BernoulliTrack> tracks) {
-  drop_twins(tracks, 1.0);
+  drop(tracks, find_twins(tracks, 1.0));
   std::vector<std::int64_t> ids;
   for (const auto& left : tracks) ids.push_back(left.id);
   return ids;
