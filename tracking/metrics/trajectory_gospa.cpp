@@ -7,6 +7,7 @@
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace lookout::tracking {
 namespace {
@@ -88,6 +89,7 @@ class GroupSearch {
   void add_time(std::size_t time) {
     time_ = time;
     next_.clear();
+    places_.clear();
     tried_ = 0;
     least_cost_ = std::numeric_limits<double>::infinity();
     for (const State& state : states_) choose(state, state.partner, 0);
@@ -116,7 +118,7 @@ class GroupSearch {
     return TrajectorySet::at(*group_.tracks[static_cast<std::size_t>(j)], time_);
   }
 
-  /// Whether taking track `j` gains anything now; one that is taken for later may be taken later.
+  /// Whether track `j` is within the cut-off of target `i` now: to pair them before that gains nothing.
   bool near(std::size_t i, int j) const {
     const auto track = track_at(j);
     return track && (*target_at(i) - *track).norm() < params_.cutoff;
@@ -144,18 +146,16 @@ class GroupSearch {
     if (++tried_ > TrajectoryGospa::kMostPairings)
       throw std::length_error("more than " + std::to_string(TrajectoryGospa::kMostPairings) +
                               " pairings of targets and tracks are possible at one time");
+    for (const int track : partner)
+      if (track != kNobody && std::count(partner.begin(), partner.end(), track) > 1) return;
     State state = from;
     double changes = 0.0;
-    for (std::size_t i = 0; i < partner.size(); ++i) {
-      if (partner[i] == kNobody) continue;
-      if (std::count(partner.begin(), partner.end(), partner[i]) > 1) return;
-    }
     for (std::size_t i = 0; i < partner.size(); ++i)
       if (partner[i] != from.partner[i]) changes += change(from, i, partner[i], state);
     state.partner = partner;
     const TrajectoryGospaStep step = price(partner, changes);
     state.cost += step.localization + kHalf * (step.missed + step.false_tracks) + half_switch_ * changes;
-    // Beyond this, going on from the best one and changing all pairs costs less.
+    // What costs more is on no best way: to go on from the cheapest state and change all pairs costs less.
     least_cost_ = std::min(least_cost_, state.cost);
     const auto most_halves = static_cast<double>(2 * partner.size() + state.had_one.size());
     if (state.cost <= least_cost_ + half_switch_ * most_halves) keep(std::move(state), step);
@@ -195,17 +195,14 @@ class GroupSearch {
   }
 
   void keep(State state, const TrajectoryGospaStep& step) {
-    for (State& other : next_) {
-      if (other.partner != state.partner || other.had_one != state.had_one) continue;
-      if (other.cost <= state.cost) return;
-      steps_.push_back({step, state.last_step});
-      state.last_step = steps_.size() - 1;
-      other = std::move(state);
-      return;
-    }
+    const auto [place, is_new] = places_.try_emplace({state.partner, state.had_one}, next_.size());
+    if (!is_new && next_[place->second].cost <= state.cost) return;
     steps_.push_back({step, state.last_step});
     state.last_step = steps_.size() - 1;
-    next_.push_back(std::move(state));
+    if (is_new)
+      next_.push_back(std::move(state));
+    else
+      next_[place->second] = std::move(state);
   }
 
   /// What it costs at most to go on from `a` as from `b`: the change of pairs, and what `b` might still have
@@ -242,6 +239,8 @@ class GroupSearch {
   std::size_t time_ = 0, tried_ = 0;
   double least_cost_ = 0.0;  // Of the states of this time so far.
   std::vector<State> states_, next_;
+  /// Where in `next_` the state of these partners and this past stands.
+  std::map<std::pair<std::vector<int>, std::vector<char>>, std::size_t> places_;
   std::vector<Step> steps_;
 };
 
