@@ -9,6 +9,7 @@
 #include "core/input_error.hpp"
 #include "python/arguments.hpp"
 #include "python/bindings.hpp"
+#include "python/results.hpp"
 #include "python/rows.hpp"
 #include "tools/cli/recorded_chain.hpp"
 #include "tools/cli/scan_feed.hpp"
@@ -18,8 +19,6 @@ namespace lookout::python {
 namespace {
 
 using Sensor = std::optional<core::SonarParams>;
-
-constexpr const char* kResult = R"(What the chain says of one scan.)";
 
 constexpr const char* kEstimator = R"(A motion estimator by name: scans in, motion elements out.
 
@@ -57,24 +56,6 @@ constexpr const char* kTrack =
     R"(Tracks a recording: the tracks of `lookout run` and `lookout replay`, to the byte.
 
 recording.sensor, where it is set, stands over config's `sensor` part. Others as of Chain. Gives a TrackedRun.)";
-
-/// A scan and its result, kept.
-struct Result {
-  std::int64_t utime = 0, sequence = 0;
-  std::int32_t sensor_id = 0;
-  core::TrackList tracks;
-  core::ElementList elements;
-  std::optional<core::SensorEstimate> sensor;
-};
-
-Result keep(const tracking::PingResult& result) {
-  return {result.utime,
-          result.sequence,
-          result.sensor_id,
-          {result.utime, {result.tracks.begin(), result.tracks.end()}},
-          {result.utime, {result.elements.begin(), result.elements.end()}},
-          result.sensor_estimate};
-}
 
 /// Scans with their poses, checked as the intake does.
 class ScanDoor {
@@ -220,25 +201,6 @@ class Chain {
   tracking::TrackingChain chain_;
 };
 
-py::dict as_dict(const tracking::IntakeCounts& counts) {
-  py::dict result;
-  const auto add = [&result](const char* name, std::int64_t count) { result[name] = count; };
-  add("received", counts.received);
-  add("accepted", counts.accepted);
-  add("no_pose", counts.no_pose);
-  add("damaged", counts.damaged);
-  add("out_of_time", counts.out_of_time);
-  add("frozen", counts.frozen);
-  add("lost", counts.lost);
-  add("restarts", counts.restarts);
-  add("resets", counts.resets);
-  add("silent_returns", counts.silent_returns);
-  add("dropped_returns", counts.dropped_returns);
-  add("repeated", counts.repeated);
-  add("bad_states", counts.bad_states);
-  return result;
-}
-
 /// A recording and what was made of it.
 struct TrackedRun {
   std::vector<Result> results;
@@ -270,35 +232,6 @@ py::array times_of(const TrackedRun& run) {
   std::transform(run.results.begin(), run.results.end(), times.mutable_data(),
                  [](const Result& result) { return result.utime; });
   return times;
-}
-
-py::object sensor_dict(const Result& result) {
-  if (!result.sensor) return py::none();
-  const core::SensorEstimate& sensor = *result.sensor;
-  py::dict values;
-  values["miss_probability"] = sensor.miss_probability;
-  values["false_alarm_probability"] = sensor.false_alarm_probability;
-  values["range_sigma"] = sensor.range_sigma;
-  values["miss_probability_sigma"] = sensor.miss_probability_sigma;
-  values["false_alarm_probability_sigma"] = sensor.false_alarm_probability_sigma;
-  values["range_sigma_sigma"] = sensor.range_sigma_sigma;
-  return values;
-}
-
-void bind_result(py::module_& module) {
-  py::class_<Result>(module, "Result", kResult)
-      .def_readonly("utime", &Result::utime, "Of the scan [us].")
-      .def_readonly("sequence", &Result::sequence, "Of the scan.")
-      .def_readonly("sensor_id", &Result::sensor_id, "Of the scan.")
-      .def_property_readonly(
-          "tracks", [](const Result& result) { return tracks_table({result.tracks}); },
-          "Table of TRACK_DTYPE at the scan's time; tentative ones are among them.")
-      .def_property_readonly(
-          "elements", [](const Result& result) { return elements_table({result.elements}); },
-          "Table of ELEMENT_DTYPE: what the estimator found.")
-      .def_property_readonly("sensor_estimate", &sensor_dict,
-                             "dict of the sonar's figures as the method sees them, each with its standard "
-                             "deviation (*_sigma); None of methods that do not estimate them.");
 }
 
 void bind_run(py::module_& module) {
