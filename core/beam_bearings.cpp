@@ -22,6 +22,7 @@ std::size_t left_beam(std::span<const double> bearings, double place) {
 
 std::vector<double> even_bearings(double first_bearing, double step, int num_beams) {
   std::vector<double> bearings;
+  bearings.reserve(static_cast<std::size_t>(std::max(0, num_beams)));
   for (int beam = 0; beam < num_beams; ++beam) bearings.push_back(first_bearing + beam * step);
   return bearings;
 }

@@ -56,14 +56,14 @@ class Resolver {
  public:
   explicit Resolver(const std::string& file) : file_(file) {}
 
-  void resolve(YAML::Node node, int depth = 0) {
+  void resolve(const YAML::Node& node, int depth = 0) {
     if (depth > kDeepest || ++nodes_ > kMostNodes) fail(node, "is nested too deep or refers to itself");
     if (node.IsSequence())
-      for (auto element : node) resolve(element, depth + 1);
+      for (const auto& element : node) resolve(element, depth + 1);
     if (!node.IsMap()) return;
     refuse_repeated_keys(node);
-    for (auto entry : node) resolve(entry.second, depth + 1);
-    if (const YAML::Node merged = static_cast<const YAML::Node&>(node)[kMergeKey]) merge(node, merged);
+    for (const auto& entry : node) resolve(entry.second, depth + 1);
+    if (const YAML::Node merged = node[kMergeKey]) merge(node, merged);
   }
 
   /// The mappings that were merged into others: their own keys need not be known ones.
