@@ -16,7 +16,9 @@ struct Candidate {
   std::array<int, kMaxWindowScans> own = none();  ///< Per scan the index of its detection, -1 for none.
   int support = 0;                                ///< How many scans have a detection of its own.
   double log_evidence = 0.0;                      ///< Log evidence for a target against clutter [nats].
-  bool offered = false;  ///< Offered by a confirmed track; once accepted: too weak for a new target.
+  /// Offered by a confirmed track. Of an accepted candidate: accepted for that alone, on evidence that would
+  /// not make a new target.
+  bool offered = false;
 
   /// No detection in any scan.
   static constexpr std::array<int, kMaxWindowScans> none() {

@@ -72,7 +72,7 @@ void DetectionChain::add(const core::SonarImage& image) {
 }
 
 void DetectionChain::shed(const core::SonarImage& image) {
-  core::SonarScan scan;  // What is counted of it needs no returns.
+  core::SonarScan scan;  // Without returns: a scan that is shed is only counted.
   scan.utime = image.utime;
   scan.sequence = image.sequence;
   scan.sensor_id = image.sensor_id;

@@ -6,8 +6,8 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kUpTo = 1e-6;    // What is a whole number but for rounding is that.
-constexpr int kShareOfImage = 4;  // No reach is more than this part of the image.
+constexpr double kUpTo = 1e-6;    // [cells] above a whole number, which rounding may leave: no further cell.
+constexpr int kShareOfImage = 4;  // A window reaches over at most one cell in so many of the image.
 
 int at_least_one(double cells) {
   return std::max(1, static_cast<int>(std::lround(cells)));

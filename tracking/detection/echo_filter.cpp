@@ -5,7 +5,8 @@
 namespace lookout::tracking {
 namespace {
 
-/// Cells [first, last) of a running mean about a cell; of an even width one more before it, or behind.
+/// Cells [first, last) of a running mean about a cell. An even width has one cell more on one side: before or
+/// behind.
 struct Span {
   int first, last;
 };

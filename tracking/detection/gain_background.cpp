@@ -11,14 +11,15 @@
 namespace lookout::tracking {
 namespace {
 
-// Share of a range's mean power that is added to every cell there: silence has a logarithm too [30 dB].
+// Share of a range's mean power that is added to every cell there, so that a silent cell has a logarithm: -30
+// dB.
 constexpr double kFloor = 1e-3;
 constexpr double kLeastPower = 1e-30;
 constexpr double kNepersPerDecibel = std::numbers::ln10 / 10.0;
-// Structure below so many standard deviations of what speckle alone teaches (the square root of the step, in
-// nepers) is none.
+// Speckle alone makes the learnt structure of a cell deviate by the square root of the learning step
+// [nepers]. What is below so many such deviations counts as no structure.
 constexpr float kSureSigmas = 3.0F;
-constexpr double kFirstPings = 2.0;  // Weight of "there is no structure" against the first pings.
+constexpr double kFirstPings = 2.0;  // The structure begins at 0 with the weight of so many pings.
 
 double power(ImageValues values, double value) {
   if (values == ImageValues::decibel) return std::exp(kNepersPerDecibel * value);

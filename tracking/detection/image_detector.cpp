@@ -12,18 +12,18 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr int kFirstPings = 10;        // Of a geometry: the grain is measured in each of these,
+constexpr int kFirstPings = 10;        // The speckle's grain is measured in each of a geometry's first pings,
 constexpr int kPingsBetween = 10;      // and then once in so many.
-constexpr double kOtherExtent = 0.25;  // An extent that differs by this share is another one.
-constexpr float kLeastLevel = 1e-3F;   // Of the image's own level: quantised silence is no background.
+constexpr double kOtherExtent = 0.25;  // Relative change of the extent from which windows are laid anew.
+constexpr float kLeastLevel = 1e-3F;   // Least reference level, in the image's mean: few bits leave it at 0.
 // Standard deviations of a return's range and bearing in extents of the echo, as measured
 // (docs/detect.md) from the threshold on upwards.
 constexpr double kRangeSigma = 0.25, kBearingSigma = 0.25;
+constexpr std::size_t kMostPeaks = 4;    // Times the most returns: so many peaks are sorted into echoes.
+constexpr double kPeaksOfZone = 1000.0;  // Peaks a ping that a range zone needs for a law of its own.
 // Targets nearer to each other than so many extents give one return in half of the pings.
-constexpr std::size_t kMostPeaks = 4;    // Peaks that are sorted into echoes, for each return that may be.
-constexpr double kPeaksOfZone = 1000.0;  // A law needs so many peaks a ping.
 constexpr double kResolved = 1.5;
-constexpr double kMiddle = 0.5;  // Of the range: where the width of a beam is told in metres.
+constexpr double kMiddle = 0.5;  // Share of the range at which a beam's width is stated in metres.
 
 CellReach half_of(const CellReach& widths) {
   return {std::max(1, (widths.beams + 1) / 2), std::max(1, (widths.bins + 1) / 2)};
@@ -37,7 +37,7 @@ bool differs(double a, double b) {
   return std::abs(a - b) > kOtherExtent * b;
 }
 
-/// Everything of a scan but its returns, whose memory is kept.
+/// Copies all that a scan says but its returns, of which it leaves none.
 void describe(const core::SonarImage& image, const ImageGeometry& geometry, core::SonarScan& scan) {
   scan.utime = image.utime;
   scan.sequence = image.sequence;
@@ -88,7 +88,7 @@ void ImageDetector::begin_geometry() {
   grain_.forget();
 }
 
-/// What is told of pulse and beam wins over the grain of the speckle.
+/// The extent of an echo: of pulse and beam where the user states them, else of the speckle's grain.
 void ImageDetector::measure_extent(const ImagePlane& plane) {
   const EchoParams& told = params_.echo;
   if (pings_ > kFirstPings && pings_ % kPingsBetween != 0) return;
@@ -102,7 +102,7 @@ void ImageDetector::measure_extent(const ImagePlane& plane) {
   if (pings_ == 1 || differs(extent.bins, extent_.bins) || differs(extent.beams, extent_.beams)) use(extent);
 }
 
-/// Peaks of another window have another law.
+/// Lays the windows for an extent; the peaks of other windows follow another law, which is learnt anew.
 void ImageDetector::use(const EchoExtent& extent) {
   extent_ = extent;
   window_ = window_for(extent, params_.reference, geometry_.num_beams(), geometry_.num_bins);
@@ -126,7 +126,7 @@ void ImageDetector::compare_with_reference(const ImagePlane& plane) {
   }
 }
 
-/// Of very many, those that could be returns at all.
+/// Keeps of very many peaks the strongest, from which the returns are taken.
 void ImageDetector::keep_strongest() {
   const std::size_t most = kMostPeaks * static_cast<std::size_t>(params_.max_returns);
   if (peaks_.size() <= most) return;

@@ -5,8 +5,8 @@
 namespace lookout::tracking {
 namespace {
 
-/// Whether a cell is above those before it in the order of the plane, not below those behind it, and above
-/// any at all.
+/// Whether a cell is the highest within its reach. Of equal ones the first in the order of the plane is;
+/// where all are equal, none.
 bool is_peak(const ImagePlane& plane, const CellReach& reach, int beam, int bin) {
   const float value = plane.at(beam, bin);
   const int first_beam = std::max(0, beam - reach.beams),

@@ -10,18 +10,18 @@
 namespace lookout::tracking {
 namespace {
 
-// The logarithms of the ratios that are counted [nepers], and the width of a bin.
+// Histogram of the logarithms of the peaks' ratios: lower end and width of a bin [nepers].
 constexpr double kLowest = -3.0, kStep = 0.05;
 constexpr std::size_t kNumBins = 240;
-constexpr double kBase = 0.1;       // Of the peaks: from where on the law is fitted.
-constexpr double kFirstCut = 3e-3;  // Of the peaks: up to where, before there is a threshold.
+constexpr double kBase = 0.1;       // The law is fitted to this share of the peaks, the highest,
+constexpr double kFirstCut = 3e-3;  // without this share, the very highest, while there is no threshold yet.
 constexpr std::size_t kLeastBins = 8;
 constexpr int kMaxSteps = 40;
 constexpr double kEnough = 1e-8;       // A step that is smaller ends the fit.
 constexpr double kLongest = 2.0;       // No step changes the logarithm of a count by more.
 constexpr double kSteepest = -0.3;     // c1 where c2 = 0 is at most this: heavier than a K law of shape 0.03.
-constexpr double kMostVariance = 2.0;  // Of the logarithm of a count that is reckoned with.
-constexpr double kFixed = 1e12;        // Precision of a coefficient that is held.
+constexpr double kMostVariance = 2.0;  // Largest variance of a count's logarithm that corrects the threshold.
+constexpr double kFixed = 1e12;        // Prior precision that holds a coefficient at its mean.
 
 const Eigen::Vector4d kPriorMean(0.0, -1.0, -0.5, 0.0);       // Between Rayleigh and K of shape 1,
 const Eigen::Vector4d kPriorPrecision(1e-9, 0.25, 4.0, 1.0);  // with room for both.
@@ -70,13 +70,14 @@ double PeakLaw::threshold(double per_ping) {
   const double wanted = per_ping * pings_;
   const double level = level_of(wanted);
   cut_ = bin_of(level);
-  // The law is known but roughly, and a mean of exponentials lies above the exponential of the mean.
+  // The law is uncertain: the expected count is that of the mean law times exp(variance / 2), as of a
+  // log-normal.
   const Eigen::Vector4d x = terms(cut_);
   const double variance = std::min(kMostVariance, x.dot(curvature_.ldlt().solve(x)));
   return std::exp(level_of(wanted * std::exp(-0.5 * variance)));
 }
 
-/// The logarithm of the ratio that so many peaks of all that were counted reach, by the law.
+/// Logarithm of the ratio that, by the law, so many of the counted peaks reach or exceed.
 double PeakLaw::level_of(double peaks) const {
   double above = 0.0;
   for (std::size_t bin = kNumBins; bin-- > 0;) {
@@ -87,7 +88,7 @@ double PeakLaw::level_of(double peaks) const {
   return kLowest;
 }
 
-/// The first bin that fewer than this share of the peaks reach.
+/// The lowest bin at or above which less than this share of the peaks lies.
 std::size_t PeakLaw::first_below(double share) const {
   double above = 0.0;
   std::size_t bin = kNumBins;
@@ -95,7 +96,7 @@ std::size_t PeakLaw::first_below(double share) const {
   return std::min(bin, kNumBins - kLeastBins);
 }
 
-/// Peaks that the law puts into a bin.
+/// Number of peaks that the law expects in a bin.
 double PeakLaw::expected(std::size_t bin) const {
   return std::exp(law_.dot(terms(bin)) + log_ratio(bin)) * kStep;
 }

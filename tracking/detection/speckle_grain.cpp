@@ -8,10 +8,11 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr int kLags = 32;           // Longest distance that is looked at [cells].
-constexpr int kStride = 8;          // Of the beams that are looked at.
-constexpr double kFade = 0.9;       // Of the earlier pings: ten or so count.
-constexpr float kBrightest = 4.0F;  // Brighter cells count as this: a target is no speckle.
+constexpr int kLags = 32;      // Longest distance that is looked at [cells].
+constexpr int kStride = 8;     // Of the beams that are looked at.
+constexpr double kFade = 0.9;  // Weight of the earlier pings at each new one: about ten count.
+constexpr float kBrightest =
+    4.0F;  // Brighter cells are taken for this bright, lest a target pass for speckle.
 
 /// Sum of products of two rows about `mean`, the second `lag` cells on.
 double product(std::span<const float> a, std::span<const float> b, std::size_t lag, float mean) {

@@ -14,16 +14,16 @@ namespace {
 
 constexpr double kGateProbability = 0.99;  // Share of a track's own plots that it explains.
 constexpr double kVelocityTime =
-    5.0;  // A window of this length measures a velocity to range_sigma / 5 s or so [s].
-constexpr double kShareOfPlots = 0.6;     // K of N where P_M is not known.
-constexpr double kShareOfDetected = 0.8;  // K over the plots that a target in view has in N scans.
-constexpr int kLeastPlots = 3;            // Two lie on one course whatever made them.
+    5.0;  // Length of the window of the proof [s]: it measures velocities to about range_sigma / 5 s.
+constexpr double kShareOfPlots = 0.6;     // K / N where P_M is not known.
+constexpr double kShareOfDetected = 0.8;  // K over the expected number of plots of a target in N scans.
+constexpr int kLeastPlots = 3;            // Any two plots lie on one course.
 constexpr int kLeastVelocityScans = 4;
 constexpr double kFalseTracksPerScan = 0.003;  // At two scans a second, one in about three minutes.
 constexpr double kAccelerationSigma = 0.1;     // [m/s^2], as the trackers'.
 constexpr int kLongestWindow = 20;             // Scans: [Yan2018] section V.A.
 constexpr int kFewestProofPlots = 3;           // Two fit any velocity.
-constexpr double kMarginSigmas = 3.0;          // Of the difference of two plots, inside every gate.
+constexpr double kMarginSigmas = 3.0;          // By which gates are widened, of the difference of two plots.
 constexpr double kCellSigmas = 2.0;            // Height of a cell: 750 m for 366 m in [Zeng2023].
 constexpr double kCellsPerTolerance = 4.0;     // 20 m and 5 m, .004 and .001 rad in [Fan2018].
 
@@ -53,8 +53,8 @@ double step_sigma(const core::SonarParams& sonar) {
   return std::numbers::sqrt2 * plot_sigma(sonar);
 }
 
-/// Every how many scans a radar's method is shown one: so many that the fastest target moves by more than the
-/// errors in between, as the radar's targets do from scan to scan.
+/// A radar's method is shown one scan in so many: between two of them the fastest target moves farther than
+/// the plots' errors, as a radar's targets do from scan to scan.
 int stride_for(const core::SonarParams& sonar, int window_scans) {
   const double scans = std::ceil(step_sigma(sonar) / (sonar.max_speed * sonar.scan_period));
   return static_cast<int>(
@@ -66,15 +66,15 @@ void scale_cells(const core::SonarParams& sonar, double step_seconds, InitiatorC
   const double sigma = plot_sigma(sonar);
   config.rho_step = config.rho_step.value_or(kCellSigmas * sigma);
   config.rho_tolerance = config.rho_tolerance.value_or(kCellsPerTolerance * *config.rho_step);
-  // The error of a step's direction where the step is longest; at most so large that two tolerances are a
-  // quarter turn.
+  // Error of the direction of the fastest target's step; at most pi/8, so that a band of two tolerances on
+  // either side is a quarter turn.
   const double turn =
       std::min(std::atan2(step_sigma(sonar), sonar.max_speed * step_seconds), std::numbers::pi / 8);
   config.theta_tolerance = config.theta_tolerance.value_or(turn);
   config.theta_step = config.theta_step.value_or(turn / kCellsPerTolerance);
 }
 
-/// How a radar's method is shown a sonar's scans.
+/// How a method made for a radar is shown a sonar's scans, and what proves its proposals.
 LocalInitiatorParams local_params(const core::SonarParams& sonar, const InitiatorConfig& config) {
   LocalInitiatorParams params;
   params.stride = stride_for(sonar, *config.window_scans);
@@ -88,8 +88,8 @@ LocalInitiatorParams local_params(const core::SonarParams& sonar, const Initiato
   return params;
 }
 
-/// K: of a method's own window where it needs no proof; else the user's is that of the proof, over its
-/// window, and the method proposes by what suits the sonar in the few scans that it is shown.
+/// Sets K. Where a method is shown the scans as they are it is the method's own. Else the user's K is asked
+/// of the proof, and the method proposes by the K that suits the sonar in the few scans that it is shown.
 void set_plots(const core::SonarParams& sonar, bool as_it_is, InitiatorConfig& config) {
   if (!as_it_is) {
     const int proof_scans = velocity_scans(sonar);
@@ -123,7 +123,7 @@ InitiatorConfig for_sonar(const core::SonarParams& sonar, const std::string& ini
   if (as_it_is) return config;
   const double step_seconds = stride_for(sonar, *config.window_scans) * sonar.scan_period;
   config.gate_margin = config.gate_margin.value_or(kMarginSigmas * step_sigma(sonar));
-  // The errors alone can make the steps of a slow target point anywhere: no turn is refused.
+  // A slow target's steps are shorter than the plots' errors and may point anywhere: no turn is refused.
   config.max_turn = config.max_turn.value_or(std::numbers::pi);
   config.sensor_range = config.sensor_range.value_or(
       2.0 * (*config.max_speed * step_seconds * (*config.window_scans - 1) + *config.gate_margin));

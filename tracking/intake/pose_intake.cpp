@@ -37,7 +37,7 @@ void PoseIntake::add(const core::VehicleState& state) {
   }
 }
 
-/// Navigation that hangs, or holds its last fix: what comes is no pose of its own time.
+/// Whether a vehicle that says it moves is where it was: navigation hangs or repeats its last fix.
 bool PoseIntake::is_frozen(const core::VehicleState& state) {
   const auto before = std::exchange(newest_, state);
   if (!before || before->utime == state.utime || state.velocity.norm() < kMoves) return false;

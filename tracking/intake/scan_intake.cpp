@@ -40,14 +40,14 @@ std::int64_t max_pose_gap(const core::SonarParams& configured) {
   return core::microseconds(configured.max_pose_gap);
 }
 
-/// A clock on which a message may be as late as it may be waited for.
+/// How the clock of a stream is guarded: a message may be as late as the intake waits for one.
 ClockGuardParams clock_of(const IntakeParams& params) {
   ClockGuardParams clock = params.clock;
   clock.max_late = params.max_wait;
   return clock;
 }
 
-/// The vehicle's states may always be as far apart as is interpolated across.
+/// The same of vehicle states: a gap that poses are interpolated across is no leap of their clock.
 ClockGuardParams state_clock_of(const IntakeParams& params, const core::SonarParams& configured) {
   ClockGuardParams clock = clock_of(params);
   clock.max_leap = std::max(clock.max_leap, max_pose_gap(configured));
@@ -63,7 +63,7 @@ IntakeParams checked(IntakeParams params, const core::SonarParams& configured) {
   return params;
 }
 
-/// Who lets the vehicle's states be farther apart must wait for them as long.
+/// How long a scan waits for its pose [us]: at least as long as the gap between two states that is allowed.
 std::int64_t pose_wait(const IntakeParams& params, const core::SonarParams& configured) {
   const std::int64_t gap = max_pose_gap(configured);
   return gap > core::PoseHistory::kMaxBracket ? std::max(gap, params.max_wait) : params.max_wait;

@@ -102,7 +102,7 @@ void NodeHealth::judge_content(const HealthSample& recent) {
     blame(NodeState::degraded, "implausible: nearly every echo is missed where a target should be");
 }
 
-/// The first state that is blamed stays: the gravest is judged first.
+/// Adds a reason. The state is that of the first: they are judged in order of gravity, the gravest first.
 void NodeHealth::blame(NodeState state, const std::string& reason) {
   if (state_ == NodeState::healthy) state_ = state;
   reasons_.push_back(reason);

@@ -56,7 +56,7 @@ void ChainNode<Chain>::listen() {
                                                  [this](Ping ping) { take(std::move(ping)); });
 }
 
-/// Where nothing may be shed nothing needs to wait.
+/// Handles a message at once where no ping may be shed; else it waits in the queue.
 template <class Chain>
 void ChainNode<Chain>::take(std::variant<core::VehicleState, Ping> data) {
   const bool is_ping = data.index() == 1;
@@ -105,7 +105,7 @@ void ChainNode<Chain>::run(const lcmtypes::LoopLimits& limits) {
   loop.work_by([this] { return work(); });
   loop.run();
   bus_.drain();
-  // Who is overloaded has no time to make up for it when it is to stop.
+  // An overloaded node that is told to stop does not work off its queue first: that could take minutes.
   if (limits.stopped() && node_.health().state() == NodeState::overloaded)
     while (pings_waiting_ > 0) shed_oldest();
   while (work()) {

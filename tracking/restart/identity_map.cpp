@@ -38,13 +38,15 @@ void IdentityMap::recognise(std::span<const core::Track> tracks, std::int64_t ut
   if (std::abs(utime - utime_) > params_.patience) return expected_.clear();
   while (recognise_nearest(tracks, core::seconds(utime - utime_))) {
   }
-  // Whoever goes out as a stranger stays one.
+  // A track that is reported under its own identity keeps it, though a track from before be found near it
+  // later.
   for (const auto& track : tracks)
     if (track.status != core::TrackStatus::tentative)
       known_.try_emplace(track.id, Known{track.id, track.first_utime});
 }
 
-/// The nearest pair becomes one; false where none is near enough.
+/// Gives the nearest pair of an expected and a new track one identity. @return false where none is near
+/// enough.
 bool IdentityMap::recognise_nearest(std::span<const core::Track> tracks, double seconds) {
   double nearest = params_.gate;
   auto found = expected_.end();

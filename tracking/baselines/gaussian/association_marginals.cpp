@@ -77,8 +77,8 @@ void AssociationMarginals::solve_exactly(std::span<const int> tracks) {
   }
 }
 
-// The weight of all events in which the tracks before these have what they have by now; adds to the marginals
-// of these what each of their choices weighs.
+// Goes through all events of these tracks, given what the tracks before them chose, whose weight is `weight`;
+// adds each choice's share to the marginals. @return the weight of all these events together.
 double AssociationMarginals::sum_events(std::span<const int> tracks, double weight) {
   if (tracks.empty()) return weight;
   const int track = tracks.front();

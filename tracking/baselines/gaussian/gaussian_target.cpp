@@ -9,7 +9,7 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kLeastWeight = 1e-12;  // Keeps a model from dying for ever.
+constexpr double kLeastWeight = 1e-12;  // Least weight of a model of motion: with 0 it could never come back.
 
 /// What one mode expects of a measurement.
 struct Innovation {

@@ -53,7 +53,7 @@ void TargetMotion::predict(GaussianTarget& target, double seconds) const {
   }
 }
 
-// Either model lasts for an exponential time, so that scans may come at any distance.
+// The time that a model lasts is exponential, so that the intervals between scans may differ.
 void TargetMotion::interact(GaussianTarget& target, double seconds) const {
   const double scans = seconds / scan_period_;
   const double begins = -std::expm1(-scans / params_.steady_scans);

@@ -29,7 +29,7 @@ void UndetectedIntensity::predict(double seconds, double area) {
   const double full = params_.expected_targets / area;
   const double survive = survival(seconds);
   density_ = survive * density_ + (1.0 - survive) * full;
-  // The first scan stands for a scan period of its own.
+  // No time has passed before the first scan: it counts as one scan period.
   const double scans = started_ ? seconds / scan_period_ : 1.0;
   const double settling = std::min(scans, std::max(0.0, params_.settling_scans - settled_scans_));
   density_ += settling * params_.settling_share * full;

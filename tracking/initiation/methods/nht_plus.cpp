@@ -28,7 +28,7 @@ double sigma_of(const Plot& plot) {
   return std::sqrt(0.5 * plot.noise.trace());
 }
 
-/// The noise of the window's plots, of which half are better: few very accurate ones must not set the grid.
+/// Median of the plots' standard deviations [m]: a few very accurate plots must not refine the whole grid.
 double median_sigma(const PlotWindow& window, std::vector<double>& sigmas) {
   sigmas.clear();
   for (const Plot& plot : window.plots()) sigmas.push_back(sigma_of(plot));
@@ -80,7 +80,8 @@ const StartedTracks& NhtPlusInitiator::start(const PlotWindow& window) {
   return started_;
 }
 
-/// Lays the grid: fine enough for the pair that the noise turns least, the fastest.
+/// Lays the grid so fine that the pair of the fastest target, whose direction noise changes least, is
+/// resolved.
 void NhtPlusInitiator::prepare(const PlotWindow& window) {
   origin_ = middle_of(window);
   double distance = 1.0;
@@ -192,7 +193,7 @@ void NhtPlusInitiator::keep_column() {
   column_.clear();
 }
 
-/// Value of a cell that could be a peak, 0 of the others: a weaker one suppresses none.
+/// Votes of a cell above the threshold; 0 of the others, which suppress no peak.
 double NhtPlusInitiator::strong_value(const LineCell& cell, int layer) const {
   return grid_.contains(cell) ? strong_.value(key_of(cell, layer)) : 0.0;
 }
@@ -208,7 +209,7 @@ bool NhtPlusInitiator::is_local_maximum(const LineVote& vote) const {
   return true;
 }
 
-/// Local maxima above the threshold, one per neighbourhood of a line at the grid's own fineness.
+/// The local maxima above the threshold, no two of them within the reach of one line.
 void NhtPlusInitiator::find_peaks() {
   candidates_.clear();
   for (const LineVote& cell : cells_) {

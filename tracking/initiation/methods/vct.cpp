@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kFastestTurn = std::numbers::pi / 10;  // [rad/s]
 
-/// Three sigmas, say, of the difference of two plots along their displacement [m].
+/// So many standard deviations of the difference of two plots along their displacement [m].
 double noise_margin(const Plot& a, const Plot& b, double sigmas) {
   const Eigen::Vector2d displacement = b.position - a.position;
   const double length = displacement.norm();
@@ -27,7 +27,7 @@ double noise_margin(const Plot& a, const Plot& b, double sigmas) {
   return sigmas * std::sqrt(along.dot((a.noise + b.noise) * along));
 }
 
-/// 0, and evenly to either hand up to the fastest.
+/// The rates of turn that are tried [rad/s]: 0, then even steps to both sides up to the fastest.
 std::vector<double> turn_rates(const VctParams& params) {
   std::vector<double> rates{0.0};
   const int steps = static_cast<int>(std::ceil(params.max_turn_rate / params.turn_rate_step - 1e-9));
@@ -68,7 +68,8 @@ VctInitiator::VctInitiator(const VctParams& params) : params_(params) {
   chain_gates_.assign(3, 0.0);
   turn_rates_ = turn_rates(params);
   motion_ = params.motion;
-  // A rate that is even between two steps leaves this much acceleration across the course.
+  // A true rate lies up to half a step beside a tried one, evenly distributed: so much acceleration across
+  // the course is left.
   const double step = turn_rates_.size() > 1 ? turn_rates_[1] : 0.0;
   const double left = params.speeds.max * step / std::sqrt(12.0);
   motion_.acceleration_sigma = std::hypot(params.motion.acceleration_sigma, left);

@@ -73,7 +73,8 @@ class GatedCentroid : public FrameTracker {
             .eval();
   }
 
-  /// Of what is displayed in the gate, moved to it some times; nothing where nothing is.
+  /// Centroid of what is displayed in the gate, which moves onto it some times over. Nothing where the gate
+  /// is dark.
   std::optional<Eigen::Vector2d> centroid_near(const IntensityFrame& frame, FrameTrack& target) {
     const double radius = std::sqrt(params_.target_area / std::numbers::pi);
     const double spread = std::sqrt(std::min(target.covariance(0, 0), target.covariance(1, 1)));

@@ -22,7 +22,7 @@ std::size_t index_of(int column, int row, int columns) {
   return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(column);
 }
 
-/// Convolved along rows and turned over: columns become rows.
+/// The image convolved along its rows, then transposed: a second call convolves along the columns.
 std::vector<double> blurred_rows(std::span<const double> grey, int columns, int rows,
                                  const std::vector<double>& kernel) {
   const int half = static_cast<int>(kernel.size()) / 2;
@@ -38,7 +38,7 @@ std::vector<double> blurred_rows(std::span<const double> grey, int columns, int 
   return out;
 }
 
-/// Running sums along rows, turned over.
+/// Running sums along the rows, then transposed likewise.
 std::vector<double> summed_rows(std::span<const double> grey, int columns, int rows, int radius) {
   std::vector<double> out(grey.size());
   for (int row = 0; row < rows; ++row) {

@@ -10,7 +10,7 @@ namespace {
 constexpr double kSmallestSigma = 0.75;  // [px] of a target's signature; a point fills about one pixel
 constexpr double kGateSigmas = 3.5;      // half the gate's side
 constexpr double kBlockSigmas = 1.0;     // half the block's side
-// A frame has fewer blocks than a ping, so that one rank says less: a lower bar.
+// A frame has fewer blocks than a sonar image, so that the rank of one says less: the threshold is lower.
 constexpr double kConfirmExistence = 0.99;
 constexpr double kBirthExpectation = 5.0;
 constexpr double kBirthsPerFrame = 8.0;
