@@ -114,8 +114,7 @@ def main():
     directory, scores, title, files = arguments(sys.argv[1:])
     run = Run(directory, pathlib.Path(scores) if scores else None)
     if run.empty():
-        print(f"plot_run.py: {directory}: nothing to draw; expected scans.csv, vehicle.csv, truth.csv, tracks.csv or ospa.csv",
-              file=sys.stderr)
+        print(f"plot_run.py: {directory}: nothing to draw: {run.lacks(directory)}", file=sys.stderr)
         return 2
     try:
         for path in files:

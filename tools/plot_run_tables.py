@@ -44,6 +44,8 @@ class Table:
             self.columns[name] = np.array([to_float(value) for value in values])
             if name == "status":
                 self.status = values
+        for name in [name for name in self.columns if name.endswith("_deg")]:
+            self.columns.setdefault(name[:-4] + "_rad", np.radians(self.columns[name]))
 
     def __len__(self):
         return len(next(iter(self.columns.values()), ()))
@@ -85,6 +87,15 @@ class Run:
     def empty(self):
         return not (len(self.returns) or self.vehicle.has("north_m", "east_m") or self.ospa.has("time_s", "total")
                     or any(table.has("time_s", "north_m", "east_m") for table in (self.truth, self.tracks)))
+
+    def lacks(self, directory):
+        """What the files lack that are there, for a person."""
+        needed = {"scans.csv": (self.scans, "time_s", "bearing_rad", "range_m"), "vehicle.csv": (self.vehicle, "north_m", "east_m"),
+                  "truth.csv": (self.truth, "time_s", "north_m", "east_m"), "tracks.csv": (self.tracks, "time_s", "north_m", "east_m"),
+                  "ospa.csv": (self.ospa, "time_s", "total")}
+        parts = [f"{name} without a number in {', '.join(column for column in columns if not table.has(column))}"
+                 for name, (table, *columns) in needed.items() if (directory / name).is_file()]
+        return "; ".join(parts) or f"expected {', '.join(needed)}"
 
     def pose(self, times):
         """Vehicle north, east, heading at `times`; the origin, looking north, where there is no vehicle.csv."""

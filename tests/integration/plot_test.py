@@ -76,7 +76,7 @@ def check_images(folder):
     check(result.returncode == 0, f"images alone are drawn: {result.stderr.strip()}")
     check(all(is_picture(folder / "images" / f"lookout{end}") for end in MAGIC), "as picture and animation")
     (folder / "images" / "bearings.csv").write_text("table,beam\n")
-    check(lookout("plot", folder / "images").returncode == 1, "what cannot be drawn is told")
+    check(lookout("plot", folder / "images").returncode == 2, "what cannot be drawn is told")
 
 
 def check_log(scene, folder):
@@ -108,6 +108,11 @@ def check_oddities(module, folder):
     (odd / "scans.csv").write_bytes(b"\xef\xbb\xbftime_s,bearing_rad,range_m,intensity\n0,0.1,30,1\n1,,,\n")
     check(draw(module, odd, odd / "b.png") == 0, "another country's CSV, returns without vehicle poses")
     check(draw(module, odd, odd / "b.gif") == 0, "and its animation")
+    (odd / "scans.csv").write_text("time_s,bearing_deg,range_m\n0,90,30\n1,90,31\n")
+    (odd / "vehicle.csv").write_text("time_s,north_m,east_m,heading_deg\n0,0,0,90\n")
+    check(draw(module, odd, odd / "d.png") == 0, "angles in degrees")
+    places = importlib.import_module("plot_run_tables").Run(odd, None).returns
+    check(abs(places[0, 1] + 30) < 1e-9 and abs(places[0, 2]) < 1e-9, f"abeam of a vehicle that looks east is south: {places[0]}")
     (odd / "tracks.csv").write_bytes(bytes(range(256)) * 20)
     check(draw(module, odd, odd / "c.png") == 0, "no CSV at all beside it")
 

@@ -12,6 +12,11 @@
 extern char** environ;
 
 namespace lookout::tools {
+namespace {
+
+constexpr int kRefused = 2;  // Exit status of a script that has told what is wrong with its input.
+
+}  // namespace
 
 std::string tools_directory() {
   if (const char* given = std::getenv("LOOKOUT_TOOLS")) return given;
@@ -28,7 +33,7 @@ void make_directory(const std::string& path) {
   if (error) throw core::InputError(path + ": cannot be created: " + error.message());
 }
 
-bool run_plot_script(const std::string& script, const std::vector<std::string>& arguments) {
+int run_plot_script(const std::string& script, const std::vector<std::string>& arguments) {
   std::vector<std::string> words{"/usr/bin/python3", tools_directory() + "/" + script};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -37,8 +42,10 @@ bool run_plot_script(const std::string& script, const std::vector<std::string>& 
   pid_t child = 0;
   int status = -1;
   if (posix_spawn(&child, argv[0], nullptr, nullptr, argv.data(), environ) == 0) waitpid(child, &status, 0);
-  if (status != 0) log_warning(script + " made no plots (python3-matplotlib draws them)");
-  return status == 0;
+  if (status == 0) return 0;
+  if (WIFEXITED(status) && WEXITSTATUS(status) == kRefused) return kRefused;
+  log_warning(script + " made no plots (python3-matplotlib draws them)");
+  return 1;
 }
 
 }  // namespace lookout::tools

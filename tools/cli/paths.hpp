@@ -13,7 +13,8 @@ std::string tools_directory();
 void make_directory(const std::string& path);
 
 /// Runs a Python script of the tools directory on its arguments. A failure is a warning, never more: the data
-/// are written already. Returns whether it went well.
-bool run_plot_script(const std::string& script, const std::vector<std::string>& arguments);
+/// are written already.
+/// @return 0: it went well; 2: it refused its input and has said why; 1: anything else.
+int run_plot_script(const std::string& script, const std::vector<std::string>& arguments);
 
 }  // namespace lookout::tools

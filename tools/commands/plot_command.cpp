@@ -90,7 +90,7 @@ bool shows_images_alone(const std::string& directory) {
 int draw(const std::string& script, std::vector<std::string> arguments,
          const std::vector<std::string>& files) {
   arguments.insert(arguments.end(), files.begin(), files.end());
-  if (!run_plot_script(script, arguments)) return 1;
+  if (const int status = run_plot_script(script, arguments); status != 0) return status;
   for (const auto& file : files) log_info("plot: wrote " + file);
   return 0;
 }

@@ -38,14 +38,19 @@ TEST(RunPlotScript, HandsItsArgumentsOnAndSurvivesAFailure) {
   const tests::TemporaryDirectory folder;
   setenv("LOOKOUT_TOOLS", folder.path().c_str(), 1);
   folder.write("copy.py", "import sys\nopen(sys.argv[2], 'w').write(sys.argv[1])\n");
-  run_plot_script("copy.py", {"a b", folder.file("out")});
+  EXPECT_EQ(run_plot_script("copy.py", {"a b", folder.file("out")}), 0);
   std::ifstream file(folder.file("out"));
   std::string text;
   std::getline(file, text);
   EXPECT_EQ(text, "a b");
   testing::internal::CaptureStderr();
-  run_plot_script("none.py", {});
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("none.py made no plots"), std::string::npos);
+  folder.write("refuse.py", "import sys\nsys.exit(2)\n");
+  EXPECT_EQ(run_plot_script("refuse.py", {}), 2);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");  // It has told why itself.
+  testing::internal::CaptureStderr();
+  folder.write("fail.py", "raise SystemExit(1)\n");
+  EXPECT_EQ(run_plot_script("fail.py", {}), 1);
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("fail.py made no plots"), std::string::npos);
   unsetenv("LOOKOUT_TOOLS");
 }
 
