@@ -72,7 +72,7 @@ void complain_of_nodes(const Heard& heard, Heard::Clock::time_point now, const H
   }
   if (!tracker_heard)
     lines.push_back("no tracker heard on " + heard.channel(Topic::status).name +
-                    "; start `lookout track`, or check --lcm-url and --channel-prefix");
+                    "; start `lookout track` or check --lcm-url and --channel-prefix");
 }
 
 }  // namespace

@@ -34,7 +34,8 @@ std::string age_text(const std::optional<double>& age) {
 void add_health(std::string& text, const Heard& heard, Heard::Clock::time_point now) {
   const auto reasons = complaints(heard, now);
   add_line(text, "lookout status: %s", reasons.empty() ? "HEALTHY" : "NOT HEALTHY");
-  const std::size_t shown = std::min(reasons.size(), kMostComplaints);
+  // "and 1 more" would take the line of the one that it leaves out.
+  const std::size_t shown = reasons.size() <= kMostComplaints + 1 ? reasons.size() : kMostComplaints;
   for (std::size_t i = 0; i < shown; ++i) add_line(text, "  ! %s", reasons[i].c_str());
   if (reasons.size() > shown) add_line(text, "  ! and %zu more", reasons.size() - shown);
 }

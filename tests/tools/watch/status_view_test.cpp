@@ -37,6 +37,14 @@ TEST(StatusText, SaysWhyItIsNotHealthyFromABus) {
       << text;
 }
 
+TEST(StatusText, WhereNothingIsHeardEveryReasonIsShown) {
+  const std::string text = status_text(Heard(""), at_second(100.0));
+  EXPECT_TRUE(has(text, "  ! no SONAR_SCAN heard\n")) << text;
+  EXPECT_TRUE(has(text, "  ! no tracker heard on LOOKOUT_STATUS; start `lookout track` or check --lcm-url\n"))
+      << text;
+  EXPECT_FALSE(has(text, "more\n")) << text;
+}
+
 TEST(StatusText, FitsOneScreenWhateverCame) {
   Heard heard("A_prefix_of_30_characters_long");
   std::vector<core::Track> tracks(300, tests::example_track(1));
