@@ -13,7 +13,8 @@ import tempfile
 
 BLOCK = re.compile(r"```\w*\n(.*?)```", re.DOTALL)
 FILE = re.compile(r"(?:#|//) file: (\S+)\n")
-# What a full journey takes and the test need not: many runs, a whole table, packages from the network.
+# What a full journey takes and the test need not: long scenes, many runs, a whole table, packages from the network.
+SHORT_SCENE = (r"^duration: .*", "duration: 15.0")
 SHORTER = [(r"--runs \d+", "--runs 2"), (r"--only p_miss=0.1", "--only p_miss=0.1 --only p_false_alarm=0.1 --only clutter=light"),
            (r"begin_nats=8:14", "begin_nats=8:14:2"), (r"(lookout sim .*)", r"\1 --duration 4"),
            (r"(tools/cluster) ", r"\1 --shards 3 "), (r"tools/setup .*", "true")]
@@ -38,7 +39,17 @@ def write_files(text, folder):
         if named:
             path = folder / named[1]
             path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(block[named.end():])
+            path.write_text(re.sub(*SHORT_SCENE, block[named.end():], flags=re.MULTILINE))
+
+
+def link_tools(source, folder):
+    """The tools as they are, but for the scene that journeys name, which is short."""
+    (folder / "tools/scenarios").mkdir(parents=True)
+    for path in (source / "tools").iterdir():
+        if path.name != "scenarios":
+            (folder / "tools" / path.name).symlink_to(path)
+    scene = pathlib.Path("tools/scenarios/crossing.yaml")
+    (folder / scene).write_text(re.sub(*SHORT_SCENE, (source / scene).read_text(), flags=re.MULTILINE))
 
 
 def commands_of(text):
@@ -89,7 +100,7 @@ def main():
     chosen = [int(word) for word in sys.argv[3:]] or sorted(all_journeys)
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
-        (folder / "tools").symlink_to(source / "tools")
+        link_tools(source, folder)
         (folder / "out").mkdir()
         write_files(head, folder)
         environment = dict(os.environ, PATH=f"{build}:{os.environ['PATH']}", LOOKOUT_TOOLS=str(source / "tools"), HOME=str(folder))
