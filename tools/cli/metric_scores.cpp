@@ -17,10 +17,10 @@ namespace {
 /// The default price of a change of track, in cut-offs.
 constexpr double kSwitchShare = 0.1;
 
-Score ospa_score(const Comparison& comparison, const Options& options) {
+Score ospa_score(const MatchedLists& lists, const Options& options) {
   tracking::Scorer scorer = make_scorer(options);
   Score score{"OSPA", {}, "total,localization,cardinality,num_truth,num_tracks", {}, 0};
-  for (const auto& time : comparison.times()) {
+  for (const auto& time : lists.times()) {
     const tracking::OspaResult& ospa = scorer.add(time.truth, time.tracks).position;
     score.rows.push_back(
         {ospa.total, ospa.localization, ospa.cardinality, 1.0 * ospa.num_truth, 1.0 * ospa.num_tracks});
@@ -36,11 +36,11 @@ void require_finite_order(const Options& options) {
     throw core::InputError("--order: got inf, expected a finite number for --metric " + options.metric);
 }
 
-Score gospa_score(const Comparison& comparison, const Options& options) {
+Score gospa_score(const MatchedLists& lists, const Options& options) {
   require_finite_order(options);
   tracking::Scorer scorer = make_scorer(options);
   Score score{"GOSPA", {}, "total,localization,missed,false,num_missed,num_false", {}, 0};
-  for (const auto& time : comparison.times()) {
+  for (const auto& time : lists.times()) {
     const tracking::GospaResult& gospa = scorer.add(time.truth, time.tracks).gospa;
     score.rows.push_back({gospa.total, gospa.localization, gospa.missed, gospa.false_tracks,
                           1.0 * gospa.num_missed, 1.0 * gospa.num_false});
@@ -55,8 +55,8 @@ Score gospa_score(const Comparison& comparison, const Options& options) {
 
 /// What counts of both files, as trajectories.
 struct TrajectoryPair {
-  TrajectoryPair(const Comparison& comparison, tracking::TruthKind kind) {
-    for (const auto& time : comparison.times()) {
+  TrajectoryPair(const MatchedLists& lists, tracking::TruthKind kind) {
+    for (const auto& time : lists.times()) {
       truth.next_time();
       estimate.next_time();
       for (const auto& target : time.truth.targets)
@@ -69,26 +69,26 @@ struct TrajectoryPair {
 };
 
 /// The first time that a window of --window ending at time `last` holds.
-std::size_t window_begin(const Comparison& comparison, std::size_t last, const Options& options) {
+std::size_t window_begin(const MatchedLists& lists, std::size_t last, const Options& options) {
   if (!options.window) return 0;
-  const std::int64_t begin = comparison.times()[last].truth.utime - core::microseconds(*options.window);
+  const std::int64_t begin = lists.times()[last].truth.utime - core::microseconds(*options.window);
   std::size_t first = last;
-  while (first > 0 && comparison.times()[first - 1].truth.utime > begin) --first;
+  while (first > 0 && lists.times()[first - 1].truth.utime > begin) --first;
   return first;
 }
 
-Score ospa2_score(const Comparison& comparison, const Options& options) {
+Score ospa2_score(const MatchedLists& lists, const Options& options) {
   const tracking::TruthKind kind = make_scorer(options).kind();
   if (options.window && !(*options.window > 0.0 && *options.window <= core::seconds(core::kMaxUtime)))
     throw core::InputError("--window: got " + core::shortest(*options.window) + ", expected seconds > 0");
-  const TrajectoryPair pair(comparison, kind);
+  const TrajectoryPair pair(lists, kind);
   tracking::Ospa2 ospa2({options.cutoff, options.order});
   Score score{"OSPA(2)", {}, "total,localization,cardinality,num_truth,num_tracks", {}, 0};
-  const std::size_t end = comparison.times().size();
+  const std::size_t end = lists.times().size();
   const bool each = options.window || !options.over_time.empty();
   std::array<double, 3> sum{};
   for (std::size_t last = each ? 0 : end - 1; last < end; ++last) {
-    const auto r = ospa2(pair.truth, pair.estimate, {window_begin(comparison, last, options), last});
+    const auto r = ospa2(pair.truth, pair.estimate, {window_begin(lists, last, options), last});
     score.rows.push_back({r.total, r.localization, r.cardinality, 1.0 * r.num_truth, 1.0 * r.num_tracks});
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += score.rows.back()[i] / static_cast<double>(end);
   }
@@ -105,10 +105,10 @@ tracking::TrajectoryGospaParams trajectory_params(const Options& options) {
   return {options.cutoff, options.order, penalty};
 }
 
-Score tgospa_score(const Comparison& comparison, const Options& options) {
+Score tgospa_score(const MatchedLists& lists, const Options& options) {
   require_finite_order(options);
   const tracking::TruthKind kind = make_scorer(options).kind();
-  const TrajectoryPair pair(comparison, kind);
+  const TrajectoryPair pair(lists, kind);
   const tracking::TrajectoryGospa metric(trajectory_params(options));
   Score score{
       "T-GOSPA", {}, "total,localization,missed,false,switches,num_missed,num_false,num_switches", {}, 0};

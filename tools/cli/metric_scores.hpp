@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "tools/cli/comparison.hpp"
+#include "tools/cli/matched_lists.hpp"
 #include "tools/cli/options.hpp"
 
 namespace lookout::tools {
@@ -23,9 +23,10 @@ struct Score {
 
 /// A metric of --metric by name.
 struct Metric {
-  const char* name;                                   ///< As typed.
-  Score (*score)(const Comparison&, const Options&);  ///< @throws core::InputError on an option out of range.
-  bool follows_identities = false;                    ///< From one time to the next.
+  const char* name;  ///< As typed.
+  Score (*score)(const MatchedLists&,
+                 const Options&);   ///< @throws core::InputError on an option out of range.
+  bool follows_identities = false;  ///< From one time to the next.
 };
 
 /// The metric that --metric names. @throws core::InputError naming those that there are, and on flags that

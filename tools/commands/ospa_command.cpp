@@ -8,8 +8,8 @@
 
 #include "core/files/csv.hpp"
 #include "core/input_error.hpp"
-#include "tools/cli/comparison.hpp"
 #include "tools/cli/log.hpp"
+#include "tools/cli/matched_lists.hpp"
 #include "tools/cli/metric_scores.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/scoring.hpp"
@@ -18,10 +18,10 @@
 namespace lookout::tools {
 namespace {
 
-void write_over_time(const std::string& path, const Score& score, const Comparison& comparison) {
+void write_over_time(const std::string& path, const Score& score, const MatchedLists& lists) {
   core::CsvWriter csv(path, "time_s," + score.header);
   for (std::size_t i = 0; i < score.rows.size(); ++i) {
-    csv.time(comparison.times()[i].truth.utime);
+    csv.time(lists.times()[i].truth.utime);
     for (const double value : score.rows[i]) csv.number(value);
     csv.end_row();
   }
@@ -63,11 +63,11 @@ Score score_pair(const Options& options) {
   const Metric& metric = metric_of(options);
   if (metric.follows_identities)
     for (const auto& file : options.inputs) require_identities(file);
-  const Comparison comparison(options);
-  for (const auto& note : comparison.notes()) log_warning("ospa: " + note);
-  Score score = metric.score(comparison, options);
-  score.times = comparison.times().size();
-  if (!options.over_time.empty()) write_over_time(options.over_time, score, comparison);
+  const MatchedLists lists(options);
+  for (const auto& note : lists.notes()) log_warning("ospa: " + note);
+  Score score = metric.score(lists, options);
+  score.times = lists.times().size();
+  if (!options.over_time.empty()) write_over_time(options.over_time, score, lists);
   return score;
 }
 

@@ -21,7 +21,7 @@ class MetricScoresTest : public ::testing::Test {
 
   Score score(const std::string& metric) {
     options_.metric = metric;
-    return metric_of(options_).score(Comparison(options_), options_);
+    return metric_of(options_).score(MatchedLists(options_), options_);
   }
 
   tests::TemporaryDirectory directory_;

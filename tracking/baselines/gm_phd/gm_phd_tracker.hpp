@@ -11,7 +11,7 @@ namespace lookout::tracking {
 
 /// Parameters of GmPhdTracker. How they were chosen: docs/rivals.md.
 struct GmPhdParams {
-  TargetMotionParams motion;  ///< See there.
+  SwitchingMotionParams motion;  ///< See there.
   /// See there. An intensity forgets at once what it believed before, so that one foreign return must not end
   /// a target: a fifth of the scans are taken for hidden.
   ScanViewParams view{.hidden = 0.2};
@@ -47,7 +47,7 @@ class GmPhdTracker : public Tracker {
   std::span<const core::Track> report();
 
   GmPhdParams params_;
-  TargetMotion motion_;
+  SwitchingMotion motion_;
   RivalScene scene_;
   BernoulliDecisions decisions_;
   PhdIntensity intensity_;

@@ -17,7 +17,7 @@ PhdIntensity::PhdIntensity(const IntensityParams& params) : params_(params) {
   params_.validate();
 }
 
-void PhdIntensity::predict(const TargetMotion& motion, RivalScene& scene) {
+void PhdIntensity::predict(const SwitchingMotion& motion, RivalScene& scene) {
   for (auto& component : components_) {
     motion.predict(component.target, scene.seconds());
     component.weight *= scene.survival();
@@ -30,7 +30,7 @@ void PhdIntensity::predict(const TargetMotion& motion, RivalScene& scene) {
   }
 }
 
-void PhdIntensity::update(const RivalScene& scene, const TargetMotion& motion, std::int64_t& next_label) {
+void PhdIntensity::update(const RivalScene& scene, const SwitchingMotion& motion, std::int64_t& next_label) {
   grown_.clear();
   add_missed(scene);
   for (const auto& seen : scene.view().returns())

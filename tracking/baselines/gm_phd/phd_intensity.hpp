@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tracking/baselines/gaussian/rival_scene.hpp"
-#include "tracking/baselines/gaussian/target_motion.hpp"
+#include "tracking/baselines/gaussian/switching_motion.hpp"
 #include "tracking/baselines/gaussian/weighted_target.hpp"
 
 namespace lookout::tracking {
@@ -36,9 +36,9 @@ class PhdIntensity {
   explicit PhdIntensity(const IntensityParams& params);
 
   /// Carries all components to the scan, and claims their returns in the view.
-  void predict(const TargetMotion& motion, RivalScene& scene);
+  void predict(const SwitchingMotion& motion, RivalScene& scene);
   /// Takes a scan in; every return begins a component with a label of its own, counted on from `next_label`.
-  void update(const RivalScene& scene, const TargetMotion& motion, std::int64_t& next_label);
+  void update(const RivalScene& scene, const SwitchingMotion& motion, std::int64_t& next_label);
   void forget(std::int64_t label);  ///< Drops the components of a label.
 
   const std::vector<WeightedTarget>& components() const { return components_; }  ///< The heaviest first.

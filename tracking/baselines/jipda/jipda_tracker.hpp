@@ -4,17 +4,17 @@
 
 #include "tracking/baselines/gaussian/bernoulli_decisions.hpp"
 #include "tracking/baselines/gaussian/bernoulli_track.hpp"
-#include "tracking/baselines/gaussian/target_motion.hpp"
+#include "tracking/baselines/gaussian/switching_motion.hpp"
 #include "tracking/tracker.hpp"
 
 namespace lookout::tracking {
 
 /// Parameters of JipdaTracker. How they were chosen: docs/rivals.md.
 struct JipdaParams {
-  TargetMotionParams motion;    ///< See there.
-  ScanViewParams view;          ///< See there.
-  PopulationParams population;  ///< See there.
-  ExistenceParams existence;    ///< See there.
+  SwitchingMotionParams motion;  ///< See there.
+  ScanViewParams view;           ///< See there.
+  PopulationParams population;   ///< See there.
+  ExistenceParams existence;     ///< See there.
   /// Joint events of a cluster that are summed one by one, >= 1; a cluster of more is solved by belief
   /// propagation.
   double most_events = 3000.0;
@@ -50,7 +50,7 @@ class JipdaTracker : public Tracker {
   std::span<const core::Track> report();
 
   JipdaParams params_;
-  TargetMotion motion_;
+  SwitchingMotion motion_;
   RivalScene scene_;
   BernoulliDecisions decisions_;
   std::vector<BernoulliTrack> tracks_;

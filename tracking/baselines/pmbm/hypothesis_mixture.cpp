@@ -70,7 +70,7 @@ TrackTree HypothesisMixture::marginal(std::size_t track) const {
   return tree;
 }
 
-void HypothesisMixture::predict(const TargetMotion& motion, RivalScene& scene) {
+void HypothesisMixture::predict(const SwitchingMotion& motion, RivalScene& scene) {
   for (std::size_t t = 0; t < tracks_.size(); ++t) {
     for (auto& local : tracks_[t].locals) {
       motion.predict(local.target, scene.seconds());

@@ -56,7 +56,7 @@ class HypothesisMixture {
   TrackTree marginal(std::size_t track) const;
 
   /// Carries all tracks to the scan and claims their returns in the view.
-  void predict(const TargetMotion& motion, RivalScene& scene);
+  void predict(const SwitchingMotion& motion, RivalScene& scene);
   /// Takes a scan in. @param others of each return: odds that it is a target's of no track here, over false.
   void update(const RivalScene& scene, std::span<const double> others);
   /// After `update`: probability that a return belongs to one of the tracks.

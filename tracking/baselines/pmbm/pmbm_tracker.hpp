@@ -10,12 +10,12 @@ namespace lookout::tracking {
 
 /// Parameters of PmbmTracker. How they were chosen: docs/rivals.md.
 struct PmbmParams {
-  TargetMotionParams motion;    ///< See there.
-  ScanViewParams view;          ///< See there.
-  PopulationParams population;  ///< See there.
-  ExistenceParams existence;    ///< See there.
-  ReductionParams reduction;    ///< Of the single-target hypotheses of a track below `promote`.
-  MixtureParams mixture;        ///< See there.
+  SwitchingMotionParams motion;  ///< See there.
+  ScanViewParams view;           ///< See there.
+  PopulationParams population;   ///< See there.
+  ExistenceParams existence;     ///< See there.
+  ReductionParams reduction;     ///< Of the single-target hypotheses of a track below `promote`.
+  MixtureParams mixture;         ///< See there.
   /// Joint events of a cluster of such tracks that are summed one by one, >= 1; a cluster of more is solved
   /// by belief propagation.
   double most_events = 1000.0;
@@ -63,7 +63,7 @@ class PmbmTracker : public Tracker {
   void drop(const std::vector<char>& dropped);
 
   PmbmParams params_;
-  TargetMotion motion_;
+  SwitchingMotion motion_;
   RivalScene scene_;
   BernoulliDecisions decisions_;
   HypothesisMixture mixture_;     ///< Of the tracks that exist probably.

@@ -12,7 +12,7 @@ void sum_up(TrackTree& tree) {
   tree.head.target = sum.merged();
 }
 
-void predict(TrackTree& tree, const TargetMotion& motion, RivalScene& scene) {
+void predict(TrackTree& tree, const SwitchingMotion& motion, RivalScene& scene) {
   for (auto& hypothesis : tree.hypotheses) {
     motion.predict(hypothesis.target, scene.seconds());
     hypothesis.weight *= scene.survival();

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "tracking/baselines/gaussian/bernoulli_track.hpp"
-#include "tracking/baselines/gaussian/target_motion.hpp"
+#include "tracking/baselines/gaussian/switching_motion.hpp"
 #include "tracking/baselines/gaussian/weighted_target.hpp"
 
 namespace lookout::tracking {
@@ -20,7 +20,7 @@ struct TrackTree {
 void sum_up(TrackTree& tree);
 
 /// Carries the hypotheses ahead; the target survives with this probability. Claims its returns in the view.
-void predict(TrackTree& tree, const TargetMotion& motion, RivalScene& scene);
+void predict(TrackTree& tree, const SwitchingMotion& motion, RivalScene& scene);
 
 /// Takes a scan into trees that are independent of each other but for the returns that they share: the joint
 /// association is summed to marginals, each history with each return is a history of its own. TOMB/P of

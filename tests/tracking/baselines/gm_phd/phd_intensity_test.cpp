@@ -11,7 +11,7 @@ namespace {
 
 // Nothing is dropped, and only equals are merged.
 constexpr IntensityParams kKeepAll{.least_weight = 1e-15, .merge_distance = 0.0, .most = 10000};
-const TargetMotion kSteady({.models = 1}, {});
+const SwitchingMotion kSteady({.models = 1}, {});
 
 /// An intensity of one label after a scan with one return at (60, 0).
 struct OneLabel {

@@ -90,7 +90,7 @@ TEST(TrackTree, SurvivesByTheScenesLaw) {
   TrackTree tree = tree_at({60.0}, 0.5, scene.view());
   scene.finish({});
   scene.look(scan_of(2, {}));
-  predict(tree, TargetMotion({.models = 1}, {}), scene);
+  predict(tree, SwitchingMotion({.models = 1}, {}), scene);
   EXPECT_NEAR(tree.head.existence, 0.5 * scene.survival(), 1e-12);
   EXPECT_LT(scene.survival(), 1.0);
 }

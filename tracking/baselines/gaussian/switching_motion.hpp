@@ -6,7 +6,7 @@
 namespace lookout::tracking {
 
 /// How targets of the rivals move. Speeds are in units of the sensor's `max_speed`, times in scan periods.
-struct TargetMotionParams {
+struct SwitchingMotionParams {
   int models = 2;  ///< Of motion, 1 to 2: steady alone, or steady and manoeuvring. [Blom1988]
   /// By how much a velocity component of a steady target changes in a scan period, one standard deviation
   /// [max_speed], >= 0.
@@ -21,10 +21,10 @@ struct TargetMotionParams {
 };
 
 /// Constant velocity disturbed by white acceleration, of one strength or switching between two.
-class TargetMotion {
+class SwitchingMotion {
  public:
   /// @throws std::invalid_argument on a parameter out of range.
-  TargetMotion(const TargetMotionParams& params, const core::SonarParams& sonar);
+  SwitchingMotion(const SwitchingMotionParams& params, const core::SonarParams& sonar);
 
   /// A target first seen here: velocity zero, as uncertain as `first_speed` says.
   GaussianTarget born(const PositionMeasurement& measurement) const;
@@ -35,7 +35,7 @@ class TargetMotion {
  private:
   void interact(GaussianTarget& target, double seconds) const;
 
-  TargetMotionParams params_;
+  SwitchingMotionParams params_;
   double scan_period_;                                             // [s]
   double speed_variance_;                                          // Of a new target's velocity [m^2/s^2].
   std::array<double, GaussianTarget::kMostModes> density_{};       // Of the white acceleration [m^2/s^3].

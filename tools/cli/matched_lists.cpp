@@ -1,4 +1,4 @@
-#include "tools/cli/comparison.hpp"
+#include "tools/cli/matched_lists.hpp"
 
 #include <algorithm>
 #include <array>
@@ -90,9 +90,9 @@ void require_few(std::size_t points, const std::string& file, std::int64_t utime
 
 }  // namespace
 
-Comparison::Comparison(const Options& options) : Comparison(read_lists(options), options) {}
+MatchedLists::MatchedLists(const Options& options) : MatchedLists(read_lists(options), options) {}
 
-Comparison::Comparison(ComparedLists lists, const Options& options)
+MatchedLists::MatchedLists(ComparedLists lists, const Options& options)
     : truth_(std::move(lists.truth)), lists_(std::move(lists.estimates)), tolerance_(kSameTime) {
   if (!truth_.empty() && !lists_.empty())
     require_one_clock(tools::times_of(truth_), times_of(lists_), options.inputs[0]);
@@ -108,7 +108,7 @@ Comparison::Comparison(ComparedLists lists, const Options& options)
 
 // Those of the scans where they are known; else those of the estimates, and of the truth where it is not
 // brought to them.
-Times Comparison::common_times(const Times& scans, bool at_estimates) const {
+Times MatchedLists::common_times(const Times& scans, bool at_estimates) const {
   if (!scans.empty()) return distinct(scans, tolerance_);
   Times times = times_of(lists_);
   if (!at_estimates) {
@@ -118,7 +118,7 @@ Times Comparison::common_times(const Times& scans, bool at_estimates) const {
   return distinct(std::move(times), tolerance_);
 }
 
-void Comparison::fill(const Times& times, MatchedTruth matched, const Options& options) {
+void MatchedLists::fill(const Times& times, MatchedTruth matched, const Options& options) {
   for (const auto time : times) {
     auto truth = matched.at(time);
     if (!truth) continue;

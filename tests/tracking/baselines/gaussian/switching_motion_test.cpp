@@ -1,4 +1,4 @@
-#include "tracking/baselines/gaussian/target_motion.hpp"
+#include "tracking/baselines/gaussian/switching_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,32 +8,32 @@
 namespace lookout::tracking {
 namespace {
 
-GaussianTarget born(const TargetMotion& motion) {
+GaussianTarget born(const SwitchingMotion& motion) {
   return motion.born({{10.0, 20.0}, 4.0 * Eigen::Matrix2d::Identity()});
 }
 
-TEST(TargetMotion, ANewTargetIsUncertainByItsSpeed) {
-  TargetMotionParams params;
+TEST(SwitchingMotion, ANewTargetIsUncertainByItsSpeed) {
+  SwitchingMotionParams params;
   params.first_speed = 0.5;
-  const GaussianTarget target = born(TargetMotion(params, {}));
+  const GaussianTarget target = born(SwitchingMotion(params, {}));
   EXPECT_EQ(target.mean(), Eigen::Vector4d(10.0, 20.0, 0.0, 0.0));
   EXPECT_DOUBLE_EQ(target.covariance()(2, 2), 1.5 * 1.5);  // half of the default sonar's 3 m/s
 }
 
-TEST(TargetMotion, ASteadyTargetWalksByItsShareOfTheFastest) {
-  TargetMotionParams params;
+TEST(SwitchingMotion, ASteadyTargetWalksByItsShareOfTheFastest) {
+  SwitchingMotionParams params;
   params.models = 1;
   params.steady_walk = 0.1;
   const core::SonarParams sonar;
-  const TargetMotion motion(params, sonar);
+  const SwitchingMotion motion(params, sonar);
   GaussianTarget target = born(motion);
   const double before = target.covariance()(2, 2);
   motion.predict(target, sonar.scan_period);
   EXPECT_NEAR(target.covariance()(2, 2) - before, std::pow(0.1 * sonar.max_speed, 2), 1e-12);
 }
 
-TEST(TargetMotion, StepsMayBeCutAnywhere) {
-  const TargetMotion motion({.models = 1, .steady_walk = 0.1}, {});
+TEST(SwitchingMotion, StepsMayBeCutAnywhere) {
+  const SwitchingMotion motion({.models = 1, .steady_walk = 0.1}, {});
   GaussianTarget once = born(motion), twice = once;
   motion.predict(once, 1.5);
   motion.predict(twice, 0.4);
@@ -41,11 +41,11 @@ TEST(TargetMotion, StepsMayBeCutAnywhere) {
   EXPECT_LT((once.covariance() - twice.covariance()).norm(), 1e-9);
 }
 
-TEST(TargetMotion, ModelsSettleToTheirShares) {
-  TargetMotionParams params;
+TEST(SwitchingMotion, ModelsSettleToTheirShares) {
+  SwitchingMotionParams params;
   params.steady_scans = 30.0;
   params.turning_scans = 10.0;
-  const TargetMotion motion(params, {});
+  const SwitchingMotion motion(params, {});
   GaussianTarget target = born(motion);
   target.modes[0].weight = 1.0;
   target.modes[1].weight = 0.0;
@@ -59,11 +59,11 @@ TEST(TargetMotion, ModelsSettleToTheirShares) {
   EXPECT_NEAR(target.modes[0].weight, comes / (comes + leaves), 1e-6);
 }
 
-TEST(TargetMotion, RefusesParametersOutOfRange) {
-  for (const TargetMotionParams& params :
-       {TargetMotionParams{.models = 3}, TargetMotionParams{.steady_walk = -1.0},
-        TargetMotionParams{.turning_scans = 0.0}, TargetMotionParams{.first_speed = 0.0}})
-    EXPECT_THROW(TargetMotion(params, {}), std::invalid_argument);
+TEST(SwitchingMotion, RefusesParametersOutOfRange) {
+  for (const SwitchingMotionParams& params :
+       {SwitchingMotionParams{.models = 3}, SwitchingMotionParams{.steady_walk = -1.0},
+        SwitchingMotionParams{.turning_scans = 0.0}, SwitchingMotionParams{.first_speed = 0.0}})
+    EXPECT_THROW(SwitchingMotion(params, {}), std::invalid_argument);
 }
 
 }  // namespace

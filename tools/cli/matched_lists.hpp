@@ -28,16 +28,16 @@ struct ComparedLists {
 
 /// Truth and estimates, brought to common times as --times, --time-tolerance and --interpolate ask; else by
 /// what the lists show (docs/formats/scores.md).
-class Comparison {
+class MatchedLists {
  public:
   /// Of lists that are there already; in messages they go by the names in `inputs`.
   /// @throws core::InputError as below.
-  Comparison(ComparedLists lists, const Options& options);
+  MatchedLists(ComparedLists lists, const Options& options);
 
   /// Of the files `inputs`, TRUTH.csv and ESTIMATE.csv.
   /// @throws core::InputError on a file that cannot be read, a tolerance out of range, more than 1,000 rows
   /// of one time and where there is no common time.
-  explicit Comparison(const Options& options);
+  explicit MatchedLists(const Options& options);
 
   const std::vector<ScoredTime>& times() const { return scored_; }  ///< In order of time.
   const std::vector<std::string>& notes() const { return notes_; }  ///< Lines for a person; mostly none.

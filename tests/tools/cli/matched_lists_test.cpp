@@ -1,4 +1,4 @@
-#include "tools/cli/comparison.hpp"
+#include "tools/cli/matched_lists.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,18 +10,18 @@ namespace {
 
 const std::string kHeader = "time_s,id,north_m,east_m\n";
 
-class ComparisonTest : public ::testing::Test {
+class MatchedListsTest : public ::testing::Test {
  protected:
   /// Of a target and a track that is 3 m beside it, at the times of either file.
-  ComparisonTest() {
+  MatchedListsTest() {
     options_.inputs = {directory_.write("truth.csv", kHeader + "0,1,0,0\n1,1,0,0\n2,1,0,0\n"),
                        directory_.write("tracks.csv", kHeader + "0,7,3,0\n1,7,3,0\n")};
   }
 
   std::vector<std::int64_t> times() const {
     std::vector<std::int64_t> result;
-    const Comparison comparison(options_);
-    for (const auto& time : comparison.times()) result.push_back(time.truth.utime);
+    const MatchedLists lists(options_);
+    for (const auto& time : lists.times()) result.push_back(time.truth.utime);
     return result;
   }
 
@@ -31,32 +31,32 @@ class ComparisonTest : public ::testing::Test {
 
 using Times = std::vector<std::int64_t>;
 
-TEST_F(ComparisonTest, TakesTheTimesOfEitherFile) {
+TEST_F(MatchedListsTest, TakesTheTimesOfEitherFile) {
   EXPECT_EQ(times(), (Times{0, 1'000'000, 2'000'000}));
-  const Comparison comparison(options_);
-  EXPECT_EQ(comparison.times()[1].tracks[0].id, 7);
-  EXPECT_TRUE(comparison.times()[2].tracks.empty());
+  const MatchedLists lists(options_);
+  EXPECT_EQ(lists.times()[1].tracks[0].id, 7);
+  EXPECT_TRUE(lists.times()[2].tracks.empty());
 }
 
-TEST_F(ComparisonTest, TakesListsThatAreThereAlready) {
+TEST_F(MatchedListsTest, TakesListsThatAreThereAlready) {
   options_.inputs = {"truth", "tracks"};
   ComparedLists lists;
   for (const std::int64_t utime : {0, 1'000'000, 2'000'000})
     lists.truth.push_back({utime, {{1, {0.0, 0.0}, {0.0, 0.0}, true}}});
   lists.estimates = {{0, {}}, {3'000'000, {}}};
   lists.scans = {0, 1'000'000, 2'000'000, 3'000'000};
-  const Comparison all(lists, options_);
+  const MatchedLists all(lists, options_);
   ASSERT_EQ(all.times().size(), 4u);
   EXPECT_EQ(all.times()[3].truth.utime, 3'000'000);
   EXPECT_EQ(all.notes().size(), 1u);  // One scan in four has no truth, which is worth a line.
 }
 
-TEST_F(ComparisonTest, TakesTheTimesThatAreAskedFor) {
+TEST_F(MatchedListsTest, TakesTheTimesThatAreAskedFor) {
   options_.times = directory_.write("asked.csv", "time_s\n1\n");
   EXPECT_EQ(times(), (Times{1'000'000}));
 }
 
-TEST_F(ComparisonTest, TakesTheScansOfTheRecordingThatTheTruthLiesIn) {
+TEST_F(MatchedListsTest, TakesTheScansOfTheRecordingThatTheTruthLiesIn) {
   directory_.write("scans.csv", "time_s,bearing_rad,range_m\n0,,\n1,,\n");
   EXPECT_EQ(times(), (Times{0, 1'000'000}));
   directory_.write("scans.csv",
@@ -64,7 +64,7 @@ TEST_F(ComparisonTest, TakesTheScansOfTheRecordingThatTheTruthLiesIn) {
   EXPECT_EQ(times().size(), 3U);
 }
 
-TEST_F(ComparisonTest, RefusesWhatCannotBeCompared) {
+TEST_F(MatchedListsTest, RefusesWhatCannotBeCompared) {
   options_.time_tolerance = -1.0;
   EXPECT_THROW(times(), core::InputError);
   options_.time_tolerance.reset();

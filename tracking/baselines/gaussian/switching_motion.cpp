@@ -1,4 +1,4 @@
-#include "tracking/baselines/gaussian/target_motion.hpp"
+#include "tracking/baselines/gaussian/switching_motion.hpp"
 
 #include <cmath>
 
@@ -8,7 +8,7 @@
 
 namespace lookout::tracking {
 
-void TargetMotionParams::validate() const {
+void SwitchingMotionParams::validate() const {
   core::require(models == 1 || models == 2, "models must be 1 or 2", models);
   core::require_not_negative("steady_walk", steady_walk);
   core::require_not_negative("turning_walk", turning_walk);
@@ -17,7 +17,7 @@ void TargetMotionParams::validate() const {
   core::require_positive("first_speed", first_speed);
 }
 
-TargetMotion::TargetMotion(const TargetMotionParams& params, const core::SonarParams& sonar)
+SwitchingMotion::SwitchingMotion(const SwitchingMotionParams& params, const core::SonarParams& sonar)
     : params_(params),
       scan_period_(sonar.scan_period),
       speed_variance_(std::pow(params.first_speed * sonar.max_speed, 2)) {
@@ -29,7 +29,7 @@ TargetMotion::TargetMotion(const TargetMotionParams& params, const core::SonarPa
   if (params.models == 1) first_weight_[0] = 1.0;
 }
 
-GaussianTarget TargetMotion::born(const PositionMeasurement& measurement) const {
+GaussianTarget SwitchingMotion::born(const PositionMeasurement& measurement) const {
   GaussianTarget target;
   target.num_modes = params_.models;
   for (std::size_t m = 0; m < target.used().size(); ++m) {
@@ -42,7 +42,7 @@ GaussianTarget TargetMotion::born(const PositionMeasurement& measurement) const 
   return target;
 }
 
-void TargetMotion::predict(GaussianTarget& target, double seconds) const {
+void SwitchingMotion::predict(GaussianTarget& target, double seconds) const {
   if (target.num_modes > 1) interact(target, seconds);
   const Eigen::Matrix4d transition = core::constant_velocity_transition(seconds);
   for (std::size_t m = 0; m < target.used().size(); ++m) {
@@ -54,7 +54,7 @@ void TargetMotion::predict(GaussianTarget& target, double seconds) const {
 }
 
 // The time that a model lasts is exponential, so that the intervals between scans may differ.
-void TargetMotion::interact(GaussianTarget& target, double seconds) const {
+void SwitchingMotion::interact(GaussianTarget& target, double seconds) const {
   const double scans = seconds / scan_period_;
   const double begins = -std::expm1(-scans / params_.steady_scans);
   const double ends = -std::expm1(-scans / params_.turning_scans);
