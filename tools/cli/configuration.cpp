@@ -165,10 +165,12 @@ void refuse_idle_estimator(const Options& options, const Configuration& configur
 
 void refuse_idle_parameters(const Options& options, const Configuration& configuration) {
   const std::string& tracker = configuration.tracker.name;
-  for (const auto& [name, values] : configuration.tracker.own)
-    if (name != tracker)
-      throw core::InputError(options.config + ": tracker: " + name + ": has no effect on tracker " + tracker +
-                             ", expected " + tracker + " or none");
+  const auto& own = configuration.tracker.own;
+  const auto idle =
+      std::find_if(own.begin(), own.end(), [&tracker](const auto& entry) { return entry.first != tracker; });
+  if (idle != own.end())
+    throw core::InputError(options.config + ": tracker: " + idle->first + ": has no effect on tracker " +
+                           tracker + ", expected " + tracker + " or none");
 }
 
 /// What the tracker of raw images does not know.

@@ -37,6 +37,7 @@ int run_plot_script(const std::string& script, const std::vector<std::string>& a
   std::vector<std::string> words{"/usr/bin/python3", tools_directory() + "/" + script};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (auto& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   pid_t child = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <vector>
 
@@ -46,10 +47,10 @@ void add_channels(std::string& text, const Heard& heard, Heard::Clock::time_poin
     const HeardChannel channel = heard.channel(topic);
     const auto& counts = channel.counts;
     if (counts.received == 0 && topic == Topic::image) continue;
+    const std::int64_t bad = counts.undecodable + counts.refused + counts.handler_errors;
     add_line(text, "%-24s %9.2f %9s %10lld %7lld %7lld", channel.name.c_str(), channel.meter.rate(now),
              age_text(channel.meter.age(now)).c_str(), static_cast<long long>(counts.received),
-             static_cast<long long>(counts.lost),
-             static_cast<long long>(counts.undecodable + counts.refused + counts.handler_errors));
+             static_cast<long long>(counts.lost), static_cast<long long>(bad));
   }
 }
 
