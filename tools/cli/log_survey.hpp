@@ -18,9 +18,8 @@ struct LogSurvey {
   std::string names() const;
 };
 
-/// The files that a person means: those that are there, and for a log that the logger split (`dive.00`,
-/// `dive.01`,
-/// ...) and whose own name is given, its parts in order.
+/// The files that a person means: those that are there, and for a log that the logger split into `dive.00`,
+/// `dive.01` and so on, and whose own name is given, its parts in order.
 std::vector<std::string> log_files(const std::vector<std::string>& inputs);
 
 /// @throws core::InputError where a file cannot be read, is empty, or holds no message of an LCM log: what it

@@ -10,12 +10,11 @@ namespace lookout::tracking {
 ///
 /// The density of a peak's ratio z to its reference level is taken as exp(c0 + c1 sqrt(z) + c2 z + c3 ln z)
 /// where one in ten peaks and fewer are. Rayleigh speckle has c2 alone (its power is exponential; c3 of a
-/// mean of several cells), K-distributed speckle of shape n has c1 near -2 sqrt(n), c2 = 0 and c3 = n / 2 - 3
-/// / 4
-/// ([Jakeman1976]); c1, c2 <= 0 span what lies between. The counts between that level and the threshold are
-/// fitted as Poisson numbers with a broad prior; peaks above it, where targets are, have no part in it. The
-/// threshold is that of the mean law, not of the likeliest, so that few pings do not promise too much. This
-/// project's own.
+/// mean of several cells), K-distributed speckle of shape n has c1 near -2 sqrt(n), c2 = 0 and
+/// c3 = n / 2 - 3 / 4 ([Jakeman1976]); c1, c2 <= 0 span what lies between. The counts between that level and
+/// the threshold are fitted as Poisson numbers with a broad prior; peaks above it, where targets are, have no
+/// part in it. The threshold is that of the mean law, not of the likeliest, so that few pings do not promise
+/// too much. This project's own.
 class PeakLaw {
  public:
   /// @param memory_pings over how many pings the counts fade, >= 1.

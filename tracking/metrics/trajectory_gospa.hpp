@@ -36,9 +36,8 @@ struct TrajectoryGospaResult {
 /// linear-programming bound. [GarciaFernandez2020].
 ///
 /// Exact by dynamic programming over the pairs, in groups of trajectories that ever come within the cut-off.
-/// Where
-/// more than kMostStates pairings of a group stay open at one time, or kMostPairings are possible, it gives
-/// up.
+/// Where more than kMostStates pairings of a group stay open at one time, or kMostPairings are possible, it
+/// gives up.
 class TrajectoryGospa {
  public:
   static constexpr std::size_t kMostStates = 400;        ///< Pairings kept open at one time.

@@ -17,12 +17,10 @@ struct LadderEstimator {
 };
 
 /// The rungs by name, each with what it adds to the one before:
-/// - `A` [Yan2018] as printed, `csht_printed`; `A_time` with the north line of Eq. (41) at each detection's
-/// own
-///   time, where the paper prints its current position;
+/// - `A` [Yan2018] as printed, `csht_printed`; `A_time` with the north line of Eq. (41) at the time of each
+///   detection, where the paper prints its current position;
 /// - `B` intercepts at the middle of the window, a grid tied to sigma, features in grid steps, first classes
-/// at
-///   the peaks, a gate on the north residual at the detection's own time;
+///   at the peaks, a gate on the north residual at the detection's own time;
 /// - `C` Gaussian votes as wide as each detection's error, the maximum within a scan;
 /// - `D` refit in four dimensions on own detections, one owner each, three own scans at least;
 /// - `D1` log evidence above 1/2; `D2` .36 of the best target's support;
