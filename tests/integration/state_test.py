@@ -22,7 +22,7 @@ URL = "udpm://239.255.76.67:7667?ttl=0"
 SPEED = 2.0  # the state is two seconds old at most, so that four of scenario are missing
 PERIOD = 0.5  # s between scans
 WATCHED = 10.0  # s of scenario after each
-KILLS = (18.0, 36.0, 50.0, 66.0, 82.0)  # s of scenario
+KILLS = (14.0, 26.0, 38.0, 50.0, 62.0)  # s of scenario, farther apart than each is watched
 BUSY = 12.0  # s of scenario: no restart takes so long; tracks from before are looked for 15
 WITHIN = 1.0  # s from the start of a process to its first TRACKS, beside what it waited for a processor
 LOG_EVENT = struct.Struct(">IqqII")  # mark, number, time, lengths of channel and data
@@ -84,7 +84,8 @@ def run_scene(lookout, scenario, folder):
     logger = subprocess.Popen(["lcm-logger", "--quiet", f"--lcm-url={URL}", log])
     tracker = start_tracker(lookout, folder, 0)
     atexit.register(logger.kill)
-    simulator = subprocess.Popen([lookout, "sim", scenario, "--lcm-url", URL, "--speed", str(SPEED), "--wait-for", "1"],
+    simulator = subprocess.Popen([lookout, "sim", scenario, "--lcm-url", URL, "--speed", str(SPEED), "--wait-for", "1",
+                                  "--duration", str((KILLS[-1] + WATCHED + BUSY) / SPEED)],
                                  stderr=subprocess.DEVNULL)
     while not (folder / "state").exists():
         time.sleep(0.02)  # The first state: the scene has begun.
