@@ -25,6 +25,7 @@ class Channels {
   std::string clutter_map() const {
     return prefix_ + "CLUTTER_MAP";
   }                                                                  ///< clutter_map_t, out where asked for.
+  std::string decisions() const { return prefix_ + "DECISIONS"; }    ///< decisions_t, likewise.
   std::string ospa() const { return prefix_ + "OSPA"; }              ///< ospa_t, from the scorer.
   std::string status() const { return prefix_ + "LOOKOUT_STATUS"; }  ///< node_status_t, from every node.
 

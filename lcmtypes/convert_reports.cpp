@@ -1,6 +1,7 @@
 #include "lcmtypes/convert_reports.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <lookout/node_status_t.hpp>
 #include <lookout/ospa_t.hpp>
 #include <vector>
@@ -67,6 +68,26 @@ std::optional<OspaReport> read_ospa(std::span<const std::uint8_t> bytes) {
     return std::nullopt;
   return OspaReport{wire->utime,        wire->cutoff,      wire->order,     wire->total,
                     wire->localization, wire->cardinality, wire->num_truth, wire->num_tracks};
+}
+
+decisions_t to_wire(const DecisionReport& report) {
+  assert(report.text.size() <= kMaxDecisionText);
+  decisions_t wire{};
+  wire.utime = report.utime;
+  wire.sequence = report.sequence;
+  wire.source_id = report.source_id;
+  wire.num_characters = static_cast<std::int16_t>(report.text.size());
+  wire.text.assign(report.text.begin(), report.text.end());
+  return wire;
+}
+
+std::optional<DecisionReport> read_decisions(std::span<const std::uint8_t> bytes) {
+  const auto wire = decode<decisions_t>(bytes.data(), bytes.size());
+  if (!wire || !is_time(wire->utime) || !agrees(wire->num_characters, wire->text.size())) return std::nullopt;
+  if (wire->text.size() > kMaxDecisionText) return std::nullopt;
+  DecisionReport report{wire->utime, wire->sequence, wire->source_id, {}};
+  for (const std::uint8_t byte : wire->text) report.text += byte == '\n' ? '\n' : printable(byte);
+  return report;
 }
 
 }  // namespace lookout::lcmtypes

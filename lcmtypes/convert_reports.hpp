@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <lookout/decisions_t.hpp>
 #include <optional>
 #include <span>
 #include <string>
 
-/// What nodes report for people's eyes, LOOKOUT_STATUS and OSPA, read for showing it and for nothing else.
+/// What nodes report for people's eyes, LOOKOUT_STATUS, OSPA and DECISIONS, read for showing it and for
+/// nothing else.
 namespace lookout::lcmtypes {
 
 /// A LOOKOUT_STATUS message.
@@ -41,5 +43,22 @@ struct OspaReport {
 
 /// The message, or nothing where it is damaged.
 std::optional<OspaReport> read_ospa(std::span<const std::uint8_t> bytes);
+
+/// A DECISIONS message.
+struct DecisionReport {
+  std::int64_t utime = 0;      ///< Of the scan [us].
+  std::int64_t sequence = 0;   ///< Of the scan.
+  std::int32_t source_id = 0;  ///< The tracker's node_id.
+  std::string text;  ///< Lines, each with a line feed behind it; at most kMaxDecisionText characters.
+};
+
+inline constexpr std::size_t kMaxDecisionText =
+    30'000;  ///< Characters of a message, which counts in 16 bits.
+
+/// The message. Asks that the text is not above kMaxDecisionText.
+decisions_t to_wire(const DecisionReport& report);
+
+/// The message, or nothing where it is damaged. What is neither printable nor a line feed becomes `?`.
+std::optional<DecisionReport> read_decisions(std::span<const std::uint8_t> bytes);
 
 }  // namespace lookout::lcmtypes

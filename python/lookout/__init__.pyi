@@ -7,6 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from .clutter_map_t import clutter_map_t as clutter_map_t
+from .decisions_t import decisions_t as decisions_t
 from .ground_truth_t import ground_truth_t as ground_truth_t
 from .local_estimate_t import local_estimate_t as local_estimate_t
 from .motion_element_t import motion_element_t as motion_element_t

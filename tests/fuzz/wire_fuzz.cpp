@@ -2,6 +2,7 @@
 #include <array>
 #include <vector>
 
+#include <lookout/decisions_t.hpp>
 #include <lookout/node_status_t.hpp>
 #include "lcmtypes/convert_reports.hpp"
 #include "lcmtypes/inbox.hpp"
@@ -45,6 +46,10 @@ void take_ospa(std::string_view body) {
   lcmtypes::read_ospa(message<ospa_t>(body));
 }
 
+void take_decisions(std::string_view body) {
+  lcmtypes::read_decisions(message<decisions_t>(body));
+}
+
 constexpr std::array kTypes{take<vehicle_state_t>,
                             take<sonar_scan_t>,
                             take<sonar_image_t>,
@@ -54,7 +59,8 @@ constexpr std::array kTypes{take<vehicle_state_t>,
                             take<sensor_estimate_t>,
                             take<local_estimate_t>,
                             take_status,
-                            take_ospa};
+                            take_ospa,
+                            take_decisions};
 
 }  // namespace
 }  // namespace lookout::tests

@@ -220,7 +220,7 @@ def check_clutter(browser):
 
 def watch_live(lookout, scenario, browser, folder, screenshot):
     chain = Chain(lookout, scenario, folder, ["--explain", "--publish-clutter", "2"])
-    watch = start_watch(lookout, ["--decisions", str(chain.decisions)], WATCH_PORT)
+    watch = start_watch(lookout, [], WATCH_PORT)
     browser.go(f"http://127.0.0.1:{WATCH_PORT}/")
     browser.wait("return lookout.picture.scan && lookout.picture.tracks", "the page hears a live chain")
     choose_a_track(browser)

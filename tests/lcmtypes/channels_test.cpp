@@ -17,6 +17,7 @@ TEST(Channels, HaveTheNamesOfTheContract) {
   EXPECT_EQ(channels.tracks(), "TRACKS");
   EXPECT_EQ(channels.sensor_estimate(), "SENSOR_ESTIMATE");
   EXPECT_EQ(channels.clutter_map(), "CLUTTER_MAP");
+  EXPECT_EQ(channels.decisions(), "DECISIONS");
   EXPECT_EQ(channels.ospa(), "OSPA");
   EXPECT_EQ(channels.status(), "LOOKOUT_STATUS");
 }

@@ -7,6 +7,8 @@
 #include <lookout/ospa_t.hpp>
 #include <vector>
 
+#include "core/frames.hpp"
+
 namespace lookout::lcmtypes {
 namespace {
 
@@ -80,6 +82,27 @@ TEST(ReadOspa, GivesTheReportAndRefusesDamage) {
   wire.total = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(read_ospa(encoded(wire)));
   EXPECT_FALSE(read_ospa(Bytes(10, 0)));
+}
+
+TEST(ReadDecisions, GivesTheLinesAndNothingThatCannotBePrinted) {
+  const auto report = read_decisions(encoded(to_wire({5, 6, 7, "a\nb\x1b[1m\n"})));
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->utime, 5);
+  EXPECT_EQ(report->sequence, 6);
+  EXPECT_EQ(report->source_id, 7);
+  EXPECT_EQ(report->text, "a\nb?[1m\n");
+}
+
+TEST(ReadDecisions, TakesNoTruncationNoTrailingByteAndNoOtherCount) {
+  Bytes bytes = encoded(to_wire({5, 6, 7, "a\n"}));
+  for (std::size_t size = 0; size < bytes.size(); ++size)
+    EXPECT_FALSE(read_decisions(std::span(bytes).first(size))) << size;
+  Bytes longer = bytes;
+  longer.push_back(0);
+  EXPECT_FALSE(read_decisions(longer));
+  bytes[bytes.size() - 4] = 0xff;  // The count, which stands before the two characters: negative.
+  EXPECT_FALSE(read_decisions(bytes));
+  EXPECT_FALSE(read_decisions(encoded(to_wire({core::kMaxUtime + 1, 6, 7, "a\n"}))));
 }
 
 }  // namespace

@@ -10,16 +10,19 @@ namespace {
 
 constexpr std::size_t kLongestLine = 160;
 
-// One line: time, track, decision, evidence, reason.
 void log_decision(const tracking::TrackDecision& decision) {
+  log_info(decision_line(decision));
+}
+
+}  // namespace
+
+std::string decision_line(const tracking::TrackDecision& decision) {
   char line[kLongestLine];
   std::snprintf(line, sizeof line, "%.3f s track %lld: %s, %s, %s", core::seconds(decision.utime),
                 static_cast<long long>(decision.track), tracking::to_string(decision.kind),
                 tracking::evidence_text(decision).c_str(), decision.reason);
-  log_info(line);
+  return line;
 }
-
-}  // namespace
 
 tracking::ChainParams chain_params(const Configuration& configuration, std::uint64_t seed) {
   tracking::ChainParams params;

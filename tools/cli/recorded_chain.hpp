@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/files/recording.hpp"
@@ -10,6 +11,9 @@
 #include "tracking/tracking_chain.hpp"
 
 namespace lookout::tools {
+
+/// "TIME s track ID: DECISION, EVIDENCE, REASON", in one line of printable ASCII.
+std::string decision_line(const tracking::TrackDecision& decision);
 
 /// The chain that the configuration names; decisions go to the log where it asks for them.
 tracking::ChainParams chain_params(const Configuration& configuration, std::uint64_t seed);

@@ -83,7 +83,8 @@ void add_tracking(CLI::App& app, Options& options) {
                  "What is tracked: scan or image (returns are found in SONAR_IMAGE, as `detect` does)")
       ->capture_default_str();
   app.add_option("--lag", options.lag, "Delayed output: tracks as they are known so much later [s]");
-  app.add_flag("--explain", options.explain, "One line a track decision on stderr");
+  app.add_flag("--explain", options.explain,
+               "One line a track decision on stderr; `track` also sends them as DECISIONS");
 }
 
 void add_live(CLI::App& app, Options& options) {

@@ -10,7 +10,7 @@ void declare_watch(CLI::App& app, Options& options) {
   app.add_option("LOG", options.inputs, "LCM log to look through; without one, live")->expected(0, 1);
   app.add_option("--http", options.http, "PORT or ADDRESS:PORT to serve at")->capture_default_str();
   app.add_option("--decisions", options.decisions,
-                 "File that a tracker's --explain lines go to: shown with their track");
+                 "File of a tracker's --explain lines, shown with their track in place of DECISIONS");
   add_live(app, options);
 }
 

@@ -16,6 +16,18 @@ void warn(const std::string& line) {
   log_warning("track: " + line);
 }
 
+/// The chain, whose decisions also go over the wire where they are asked for.
+tracking::ChainParams told_chain(const Configuration& configuration, const Options& options,
+                                 const std::shared_ptr<std::string>& lines) {
+  tracking::ChainParams chain = chain_params(configuration, options.seed);
+  if (lines)
+    chain.explain_to = [log = chain.explain_to, lines](const tracking::TrackDecision& decision) {
+      log(decision);
+      *lines += decision_line(decision) + "\n";
+    };
+  return chain;
+}
+
 /// Works until its limits are reached and says what it did.
 template <class Node>
 void work(Node& node, const lcmtypes::LoopLimits& limits, const Options& options) {
@@ -50,7 +62,8 @@ void track_detected(lcmtypes::Bus& bus, const tracking::TrackerNodeParams& param
                     const Configuration& configuration, const Options& options) {
   tracking::DetectionTrackerNode node(
       bus, params,
-      [&configuration, chain = chain_params(configuration, options.seed)](auto on_result, auto report) {
+      [&configuration, chain = told_chain(configuration, options, params.decisions)](auto on_result,
+                                                                                     auto report) {
         return std::make_unique<tracking::DetectionChain>(configuration.detection, chain, configuration.given,
                                                           std::move(on_result), std::move(report));
       },
@@ -64,7 +77,7 @@ void track_scans(lcmtypes::Bus& bus, const tracking::TrackerNodeParams& params,
                  const Configuration& configuration, const Options& options) {
   tracking::TrackerNode node(
       bus, params,
-      [chain = chain_params(configuration, options.seed)](auto on_result, auto report) {
+      [chain = told_chain(configuration, options, params.decisions)](auto on_result, auto report) {
         return std::make_unique<tracking::TrackingChain>(chain, std::move(on_result), std::move(report));
       },
       warn);
@@ -84,6 +97,7 @@ int track_command(const Options& options) {
   params.clutter_every = options.clutter_every;
   params.link = configuration.fusion.link;
   params.state_file = options.state;
+  if (configuration.explain) params.decisions = std::make_shared<std::string>();
   const auto link = open_when_possible(options.lcm_url, loop_limits(options));
   if (!link) return 0;
   if (tracks_images(configuration))

@@ -6,6 +6,7 @@
 #include "tools/cli/live.hpp"
 #include "tools/cli/log.hpp"
 #include "tools/commands/commands.hpp"
+#include "tools/watch/decision_book.hpp"
 #include "tools/watch/decision_lines.hpp"
 #include "tools/watch/listen.hpp"
 #include "tools/watch/log_frames.hpp"
@@ -23,24 +24,37 @@ constexpr std::chrono::milliseconds kFlush{40};
 /// Of a file of decisions: while it grows a page asks every second, of a log once a track [bytes].
 constexpr std::int64_t kReadLive = 1'000'000, kReadOfLog = 100'000'000;
 
+/// Tracks of a log whose decisions are kept: some 200 MB of memory.
+constexpr std::size_t kTracksOfLog = 500'000;
+
 void tell_address(const HttpAddress& address, const WatchServer& server, const std::string& what) {
   const bool is_ipv6 = address.host.find(':') != std::string::npos;
   const std::string host = is_ipv6 ? "[" + address.host + "]" : address.host;
   log_info("watch: " + what + " at http://" + host + ":" + std::to_string(server.port()) + "/");
 }
 
+std::string to_line(const std::vector<DecisionLine>& decisions) {
+  auto lines = nlohmann::json::array();
+  for (const auto& [time, text] : decisions) lines.push_back({{"time_s", time}, {"text", text}});
+  return line_of(lines);
+}
+
+/// Of the file that was named, else of what came over the wire.
 /// @param longest_read of the file, for each answer [bytes].
-WatchAnswers::Answer decisions_of(const Options& options, std::int64_t longest_read) {
-  if (options.decisions.empty()) return nullptr;
+WatchAnswers::Answer decisions_of(const Options& options, std::int64_t longest_read,
+                                  const DecisionBook& heard) {
+  if (options.decisions.empty()) return [&heard](std::int64_t track) { return to_line(heard.of(track)); };
   if (!std::filesystem::is_regular_file(options.decisions))
     throw core::InputError(options.decisions +
                            ": is not a file; expected one of a tracker's --explain lines");
-  return [path = options.decisions, longest_read](std::int64_t track) -> std::optional<std::string> {
-    auto lines = nlohmann::json::array();
-    for (const auto& [time, text] : decision_lines(path, track, longest_read))
-      lines.push_back({{"time_s", time}, {"text", text}});
-    return line_of(lines);
+  return [path = options.decisions, longest_read](std::int64_t track) {
+    return to_line(decision_lines(path, track, longest_read));
   };
+}
+
+/// Takes a DECISIONS message.
+void keep(DecisionBook& book, std::span<const std::uint8_t> bytes) {
+  if (const auto report = lcmtypes::read_decisions(bytes)) book.add(report->text);
 }
 
 /// What has become newest since the last flush.
@@ -65,11 +79,14 @@ int watch_live(const Options& options, const HttpAddress& address) {
   Heard heard(options.channel_prefix, [&changes](Topic topic) { changes.note(topic); });
   const auto limits = loop_limits(options);
   EventHub hub;
+  DecisionBook book;
   lcmtypes::Bus bus(options.lcm_url);
   listen(bus, heard);
+  bus.subscribe_bytes(lcmtypes::Channels(options.channel_prefix).decisions(),
+                      [&book](std::span<const std::uint8_t> bytes) { keep(book, bytes); });
   const WatchServer server(address, hub,
                            {R"({"mode":"live"})", nullptr, [&hub](std::int64_t) { return *hub.trails(); },
-                            decisions_of(options, kReadLive)});
+                            decisions_of(options, kReadLive, book)});
   tell_address(address, server, "live");
   NodeLoop loop(bus, limits, [&] {
     changes.note(Topic::status);
@@ -88,7 +105,9 @@ std::optional<std::string> line_in_range(const LogFrames& frames, std::int64_t n
 int watch_log(const Options& options, const HttpAddress& address) {
   const std::string& path = options.inputs[0];
   const auto limits = loop_limits(options);
-  const LogFrames frames(path, options.channel_prefix);
+  DecisionBook book(kTracksOfLog);
+  const LogFrames frames(path, options.channel_prefix,
+                         [&book](std::span<const std::uint8_t> bytes) { keep(book, bytes); });
   EventHub hub;
   const nlohmann::json mode{
       {"mode", "log"}, {"name", std::filesystem::path(path).filename().string()}, {"frames", frames.size()}};
@@ -96,7 +115,7 @@ int watch_log(const Options& options, const HttpAddress& address) {
       address, hub,
       {line_of(mode), [&frames](std::int64_t n) { return line_in_range(frames, n, &LogFrames::frame); },
        [&frames](std::int64_t n) { return line_in_range(frames, n, &LogFrames::trails); },
-       decisions_of(options, kReadOfLog)});
+       decisions_of(options, kReadOfLog, book)});
   if (frames.damages() > 0)
     log_warning("watch: " + std::to_string(frames.damages()) + " stretches of the log cannot be read");
   tell_address(address, server, std::to_string(frames.size()) + " frames of " + path);

@@ -3,11 +3,11 @@
 #include <charconv>
 #include <deque>
 #include <fstream>
+#include <string_view>
 
 namespace lookout::tools {
 namespace {
 
-constexpr std::size_t kMostLines = 200;
 constexpr std::size_t kLongestLine = 300;  // [characters]
 
 /// @param mark where " s track ID:" stands in it, behind the time.
@@ -24,6 +24,17 @@ DecisionLine line_of(const std::string& line, std::size_t mark) {
 
 }  // namespace
 
+std::optional<std::pair<std::int64_t, DecisionLine>> parse_decision(const std::string& line) {
+  constexpr std::string_view kMark = " s track ";
+  const auto mark = line.find(kMark);
+  if (mark == std::string::npos) return std::nullopt;
+  std::int64_t track = 0;
+  const char* const last = line.data() + line.size();
+  const auto [end, error] = std::from_chars(line.data() + mark + kMark.size(), last, track);
+  if (error != std::errc() || end == last || *end != ':') return std::nullopt;
+  return std::pair{track, line_of(line, mark)};
+}
+
 std::vector<DecisionLine> decision_lines(const std::string& path, std::int64_t track,
                                          std::int64_t longest_read) {
   std::ifstream file(path, std::ios::binary | std::ios::ate);
@@ -34,7 +45,7 @@ std::vector<DecisionLine> decision_lines(const std::string& path, std::int64_t t
   std::deque<DecisionLine> lines;
   for (std::string line; std::getline(file, line);) {
     if (const auto at = line.find(mark); at != std::string::npos) lines.push_back(line_of(line, at));
-    if (lines.size() > kMostLines) lines.pop_front();
+    if (lines.size() > kMostDecisionLines) lines.pop_front();
   }
   return {lines.begin(), lines.end()};
 }

@@ -2,7 +2,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace lookout::tools {
@@ -12,6 +14,11 @@ struct DecisionLine {
   double time_s = std::numeric_limits<double>::quiet_NaN();  ///< Data time [s]; NaN where it cannot be read.
   std::string text;                                          ///< From the time on, at most 300 characters.
 };
+
+inline constexpr std::size_t kMostDecisionLines = 200;  ///< Of one track that are kept.
+
+/// The track that a line is about, and the line; nothing of another line.
+std::optional<std::pair<std::int64_t, DecisionLine>> parse_decision(const std::string& line);
 
 /// The newest of the lines that a tracker's --explain wrote to `path` about one track, oldest first, at most
 /// 200; empty where the file cannot be read.

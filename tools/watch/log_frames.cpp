@@ -22,9 +22,10 @@ constexpr std::size_t kMostTrailLists = 64;
 
 }  // namespace
 
-LogFrames::LogFrames(const std::string& path, const std::string& channel_prefix)
+LogFrames::LogFrames(const std::string& path, const std::string& channel_prefix,
+                     const OnDecisions& on_decisions)
     : path_(path), prefix_(channel_prefix) {
-  index(path);
+  index(path, on_decisions);
   const lcmtypes::Channels channels(prefix_);
   for (const auto& channel :
        {channels.tracks(), channels.sonar_scan(), channels.sonar_image(), channels.vehicle_state()}) {
@@ -45,13 +46,15 @@ LogFrames::~LogFrames() {
   if (file_ >= 0) close(file_);
 }
 
-void LogFrames::index(const std::string& path) {
+void LogFrames::index(const std::string& path, const OnDecisions& on_decisions) {
   const Heard listener(prefix_);
+  const std::string decisions = lcmtypes::Channels(prefix_).decisions();
   for (const auto& channel : listener.channel_names()) places_[channel];
   lcmtypes::LogReader log(path);
   std::uint32_t order = 0;
   while (const auto message = log.next()) {
     ++order;
+    if (message->channel == decisions) on_decisions(message->bytes);
     const auto found = places_.find(message->channel);
     if (found == places_.end()) continue;
     found->second.push_back({message->offset, static_cast<std::uint32_t>(message->bytes.size()), order});

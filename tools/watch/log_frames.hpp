@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,8 +18,13 @@ namespace lookout::tools {
 /// messages: 16 bytes each. Its const functions may be called from several threads.
 class LogFrames {
  public:
-  /// Reads the log once. @throws core::InputError where it is no readable log, or holds no channel of ours.
-  LogFrames(const std::string& path, const std::string& channel_prefix);
+  using OnDecisions = std::function<void(std::span<const std::uint8_t> message)>;
+
+  /// Reads the log once, and hands every DECISIONS message on.
+  /// @throws core::InputError where it is no readable log, or holds no channel of ours.
+  LogFrames(
+      const std::string& path, const std::string& channel_prefix,
+      const OnDecisions& on_decisions = [](std::span<const std::uint8_t>) {});
   ~LogFrames();
   LogFrames(const LogFrames&) = delete;
   LogFrames& operator=(const LogFrames&) = delete;
@@ -43,7 +50,7 @@ class LogFrames {
     Place place;
     std::string channel;
   };
-  void index(const std::string& path);
+  void index(const std::string& path, const OnDecisions& on_decisions);
   std::vector<Choice> newest_at(std::uint32_t order) const;
   std::vector<std::uint8_t> bytes_at(const Place& place) const;
 

@@ -25,7 +25,7 @@ struct WatchAnswers {
   std::string mode;  ///< Of /mode, which tells the page live from log.
   Answer frame;      ///< Of /frame?n=FRAME; absent when live.
   Answer trails;     ///< Of /trails?n=FRAME; when live `n` says nothing.
-  Answer decisions;  ///< Of /decisions?n=TRACK; absent where no file of them was named.
+  Answer decisions;  ///< Of /decisions?n=TRACK; absent where there are none.
 };
 
 /// Serves the page and the event stream. Answers GET alone and passes nothing on: no browser can reach the

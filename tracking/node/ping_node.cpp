@@ -2,9 +2,11 @@
 
 #include <chrono>
 #include <sstream>
+#include <string_view>
 
 #include "core/files/csv.hpp"
 #include "core/input_error.hpp"
+#include "lcmtypes/convert_reports.hpp"
 #include "lcmtypes/message_size.hpp"
 
 namespace lookout::tracking {
@@ -18,6 +20,13 @@ double milliseconds_between(PingNode::Clock::time_point begin, PingNode::Clock::
 
 bool worth_a_line(std::int64_t n) {
   return (n & (n - 1)) == 0;
+}
+
+/// As many whole lines as a message holds.
+std::string_view first_lines(std::string_view lines) {
+  if (lines.size() <= lcmtypes::kMaxDecisionText) return lines;
+  const auto end = lines.rfind('\n', lcmtypes::kMaxDecisionText - 1);
+  return lines.substr(0, end == std::string_view::npos ? lcmtypes::kMaxDecisionText : end + 1);
 }
 
 LocalEstimateSenderParams with_node_id(LocalEstimateSenderParams link, std::int32_t node_id) {
@@ -68,8 +77,21 @@ void PingNode::publish(const PingResult& ping) {
   waiting_.add(milliseconds_between(arrival_, handling_));
   working_.add(milliseconds_between(handling_, worked));
   sending_.add(milliseconds_between(worked, sent));
-  publish_clutter(ping);        // Behind the tracks, which do not wait for it.
+  publish_decisions(ping);      // Behind the tracks, which do not wait for it.
+  publish_clutter(ping);        // Likewise.
   handling_ = arrival_ = sent;  // What else the message completed begins here.
+}
+
+void PingNode::publish_decisions(const PingResult& ping) {
+  if (!params_.decisions) return;
+  std::string_view rest = *params_.decisions;
+  while (!rest.empty()) {
+    const std::string_view part = first_lines(rest);
+    bus_.publish(channels_.decisions(), lcmtypes::to_wire(lcmtypes::DecisionReport{
+                                            ping.utime, ping.sequence, params_.node_id, std::string(part)}));
+    rest.remove_prefix(part.size());
+  }
+  params_.decisions->clear();
 }
 
 /// A clock that went back begins anew.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -23,6 +24,9 @@ struct TrackerNodeParams {
   bool publish_estimates = false;  ///< Also LOCAL_ESTIMATE.
   /// Also CLUTTER_MAP, at most so often in data time [s], > 0; nothing: never.
   std::optional<double> clutter_every = std::nullopt;
+  /// Lines that the tracker wrote of its decisions, a line feed behind each: sent as DECISIONS and cleared
+  /// with each ping; null: never.
+  std::shared_ptr<std::string> decisions = nullptr;
   LocalEstimateSenderParams link;  ///< What carries them; with our node_id.
   /// Pings that may wait for the tracker; a newer one sheds the oldest. Nothing: kMaxWaiting on a link that
   /// does not wait for us, else no limit.
@@ -33,8 +37,8 @@ struct TrackerNodeParams {
 };
 
 /// What the nodes of scans and of images have in common, the publishing: MOTION_ELEMENTS, SENSOR_ESTIMATE,
-/// LOCAL_ESTIMATE within the link's rate, TRACKS, now and then CLUTTER_MAP, and LOOKOUT_STATUS with the
-/// latency from a ping's arrival.
+/// LOCAL_ESTIMATE within the link's rate, TRACKS, where asked for DECISIONS and now and then CLUTTER_MAP, and
+/// LOOKOUT_STATUS with the latency from a ping's arrival.
 class PingNode {
  public:
   using Report = std::function<void(const std::string&)>;
@@ -63,6 +67,7 @@ class PingNode {
 
  private:
   void publish_clutter(const PingResult& ping);
+  void publish_decisions(const PingResult& ping);
   void hear_status(std::span<const std::uint8_t> bytes);
 
   lcmtypes::Bus& bus_;

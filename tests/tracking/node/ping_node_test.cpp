@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/input_error.hpp"
+#include "lcmtypes/convert_reports.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -56,6 +57,30 @@ TEST(PingNode, PublishesTheClutterMapNowAndThenBehindTheTracks) {
   bus.drain();
   EXPECT_EQ(heard, (std::vector<std::string>{"tracks", "clutter of 9", "tracks", "tracks", "clutter of 9",
                                              "tracks", "clutter of 9"}));
+}
+
+TEST(PingNode, PublishesWhatWasDecidedBehindTheTracksAndOnce) {
+  lcmtypes::Bus bus("memq://");
+  TrackerNodeParams params;
+  params.node_id = 3;
+  params.decisions = std::make_shared<std::string>();
+  PingNode node(bus, params, [](const std::string& /*line*/) {});
+  std::vector<std::string> heard;
+  bus.subscribe_bytes("TRACKS",
+                      [&](std::span<const std::uint8_t> /*bytes*/) { heard.emplace_back("tracks"); });
+  bus.subscribe_bytes("DECISIONS", [&](std::span<const std::uint8_t> bytes) {
+    const auto report = lcmtypes::read_decisions(bytes);
+    heard.push_back(std::to_string(report->source_id) + " " + std::to_string(report->text.size()));
+  });
+  PingResult result;
+  *params.decisions = "1.000 s track 4: begin, 4.0 nats, a reason\n";
+  node.publish(result);
+  node.publish(result);
+  const std::string line(100, 'x');
+  for (int k = 0; k < 400; ++k) *params.decisions += line + "\n";  // 40,400 characters: 297 lines, then 103.
+  node.publish(result);
+  bus.drain();
+  EXPECT_EQ(heard, (std::vector<std::string>{"tracks", "3 43", "tracks", "tracks", "3 29997", "3 10403"}));
 }
 
 TEST(PingNode, PublishesNoClutterMapUnasked) {

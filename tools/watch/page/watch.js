@@ -16,7 +16,7 @@ const picture = {};           // The newest of each topic.
 const trails = new Map();     // Of each track: [time, north, east, existence].
 const ospaHistory = [];
 const state = {mode: "live", paused: false, chosen: null, frames: 0, frame: 0, playing: false, heard: 0, events: 0, drawn: 0};
-const decisions = {lines: [], without: false};   // About the chosen track; without a file of them there are none.
+const decisions = {lines: [], without: false};   // About the chosen track.
 let dirty = true;
 window.lookout = {picture, trails, state, map};
 
@@ -230,7 +230,7 @@ async function askDecisions() {
   if (id === null || decisions.without) return;
   try {
     const answer = await fetch(`decisions?n=${id}`);
-    decisions.without = answer.status === 404;   // No file of them was named.
+    decisions.without = answer.status === 404;
     const lines = answer.ok ? await answer.json() : [];
     if (state.chosen === id) decisions.lines = lines;
     dirty = true;
