@@ -1,5 +1,6 @@
 // lookout ospa: TRUTH.csv, ESTIMATE.csv (or two directories of them) -> times -> one of four metrics -> a
 // line, or JSON, and a CSV over time
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <iostream>
@@ -83,12 +84,14 @@ std::set<std::string> csv_files(const std::string& directory) {
 
 /// The names that both directories have. @throws core::InputError on a file without a partner.
 std::set<std::string> pairs_in(const std::string& truth, const std::string& estimate) {
-  const std::set<std::string> names = csv_files(truth), others = csv_files(estimate);
+  std::set<std::string> names = csv_files(truth);
+  const std::set<std::string> others = csv_files(estimate);
   const auto require = [](const std::set<std::string>& own, const std::set<std::string>& other,
                           const std::string& where, const std::string& there) {
-    for (const auto& name : own)
-      if (!other.contains(name))
-        throw core::InputError(where + "/" + name + ": has no partner of that name in " + there);
+    const auto alone =
+        std::find_if(own.begin(), own.end(), [&other](const auto& name) { return !other.contains(name); });
+    if (alone != own.end())
+      throw core::InputError(where + "/" + *alone + ": has no partner of that name in " + there);
   };
   require(names, others, truth, estimate);
   require(others, names, estimate, truth);

@@ -30,9 +30,9 @@ std::vector<double> blurred_rows(std::span<const double> grey, int columns, int 
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       double sum = 0.0;
-      for (int tap = -half; tap <= half; ++tap)
-        sum += kernel[static_cast<std::size_t>(tap + half)] *
-               grey[index_of(mirrored(column + tap, columns), row, columns)];
+      for (int tap = 0; tap <= 2 * half; ++tap)
+        sum += kernel[static_cast<std::size_t>(tap)] *
+               grey[index_of(mirrored(column + tap - half, columns), row, columns)];
       out[index_of(row, column, rows)] = sum;
     }
   return out;
