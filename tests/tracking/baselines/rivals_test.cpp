@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "tests/tracking/baselines/rival_scans.hpp"
 #include "tracking/baselines/gm_phd/gm_phd_tracker.hpp"
 #include "tracking/baselines/jipda/jipda_tracker.hpp"
@@ -17,6 +19,60 @@ TYPED_TEST_SUITE(Rival, Rivals);
 TYPED_TEST(Rival, CrossingTargetsKeepTheirIdentities) {
   TypeParam tracker({}, known_sonar(0.1, 0.05));
   EXPECT_TRUE(crossing_targets_keep_their_identities(tracker));
+}
+
+/// The parameters of each.
+template <class Tracker>
+struct ParamsOf;
+template <>
+struct ParamsOf<JipdaTracker> {
+  using Type = JipdaParams;
+};
+template <>
+struct ParamsOf<PmbmTracker> {
+  using Type = PmbmParams;
+};
+template <>
+struct ParamsOf<GmPhdTracker> {
+  using Type = GmPhdParams;
+};
+
+/// What a tracker with so many models of motion makes of a target that turns by 90 degrees at 2 m/s.
+struct Turn {
+  std::set<std::int64_t> ids;  ///< Identities that it had.
+  double worst = 0.0;          ///< Largest error of a report from the 10th scan on [m].
+  int missed = 0;              ///< Scans from the 10th on in which it was not reported.
+};
+
+template <class Tracker>
+Turn turn(int models) {
+  constexpr int kScans = 70, kSettled = 10, kBegin = 30;
+  typename ParamsOf<Tracker>::Type params;
+  params.motion.models = models;
+  Tracker tracker(params, known_sonar(0.1, 0.05));
+  Turn result;
+  for (int k = 0; k < kScans; ++k) {
+    const Eigen::Vector2d at(60.0 + 1.0 * std::min(k, kBegin), 1.0 * std::max(0, k - kBegin));
+    const auto tracks = confirmed(tracker.update(scan_of(k, {at}), {}));
+    if (k < kSettled) continue;
+    result.missed += tracks.empty();
+    for (const auto& track : tracks) {
+      result.ids.insert(track.id);
+      result.worst = std::max(result.worst, (track.state.template head<2>() - at).norm());
+    }
+  }
+  return result;
+}
+
+TYPED_TEST(Rival, InteractingModelsHoldATurn) {
+  const Turn two = turn<TypeParam>(2);
+  EXPECT_EQ(two.ids.size(), 1U);
+  EXPECT_EQ(two.missed, 0);
+  EXPECT_LT(two.worst, 5.0);  // of what it moves in five scans
+  const Turn one = turn<TypeParam>(1);
+  EXPECT_TRUE(one.ids.size() > 1 || one.missed > 0 || one.worst > 2.0 * two.worst)
+      << one.ids.size() << " identities, " << one.missed << " missed, " << one.worst << " m for "
+      << two.worst;
 }
 
 TYPED_TEST(Rival, ALostTargetEnds) {
