@@ -28,6 +28,7 @@ PYBIND11_MODULE(_lookout, module) {
   python::bind_files(module);
   python::bind_simulation(module);
   python::bind_tracking(module);
+  python::bind_plugins(module);
   python::bind_metrics(module);
   module.attr("__version__") = tools::release();
 }

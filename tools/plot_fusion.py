@@ -69,8 +69,7 @@ def draw_structure(path):
             axis.annotate("", (5.4, 1.3), (8.9, 1.3), arrowprops={"arrowstyle": "->", "connectionstyle": "arc3,rad=-0.4"})
             axis.text(7.2, 0.4, "prediction", fontsize=7, ha="center")
         axis.set_title(title)
-    figure.savefig(path, dpi=110)
-    plt.close(figure)
+    save_both(figure, path)
 
 
 def draw_scene(rows, path):
@@ -89,8 +88,7 @@ def draw_scene(rows, path):
         axis.set_ylabel("y [km]")
         axis.legend(fontsize=8)
     figure.tight_layout()
-    figure.savefig(path, dpi=110)
-    plt.close(figure)
+    save_both(figure, path)
 
 
 def write_nees(results, path):

@@ -19,7 +19,7 @@ from ._messages import *  # noqa: F401, F403
 _COMPILED = """
 ELEMENT_DTYPE STATE_DTYPE TRACK_DTYPE TRUTH_DTYPE Chain Estimator GospaResult Image Log OspaResult Recording Result
 Scan Scene Score Sensor SimulatedScan Simulator TargetQuality TrackedRun Tracker TrackQuality __version__
-estimator_names gospa ospa read_log read_recording read_tracks read_truth score simulate track track_quality
+estimator_names gospa load_plugin ospa read_log read_recording read_tracks read_truth score simulate track track_quality
 tracker_names write_log write_recording write_tracks write_truth
 """.split()
 

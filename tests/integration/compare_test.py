@@ -21,7 +21,7 @@ except ImportError:
     sys.exit(77)
 
 RUNS = 4
-METHODS = ["gnn", "kalman"]
+METHODS = ["gnn", "jipda", "gm_phd", "pmbm"]
 DIMENSIONS = 4  # of a track's state
 KEYS = ("scene", "method", "run", "time_s")
 FILES = ("curves.csv", "means.csv", "results.json", "table.tex", "report.html")
@@ -177,7 +177,7 @@ def check_report(directory, recomputed):
 def check_tex(directory, results, recomputed):
     text = (directory / "table.tex").read_text().replace("\\_", "_")
     names = re.search(r"method & (.*) \\\\", text)[1].split(" & ")
-    rows = [line.removesuffix(" \\\\").split(" & ") for line in text.splitlines() if re.match(r"(gnn|kalman) &", line)]
+    rows = [line.removesuffix(" \\\\").split(" & ") for line in text.splitlines() if line.split(" & ")[0] in METHODS]
     assert len(rows) == len(recomputed["cells"])
     for row, cell in zip(rows, recomputed["cells"]):
         assert row[0] == cell["method"]

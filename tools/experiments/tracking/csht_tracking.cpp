@@ -29,7 +29,8 @@ constexpr double kPaperWindow = 20.0;
 constexpr double kLongWindow = 40.0;
 constexpr double kLags[] = {5.0, 10.0};  ///< Delayed output of the trackers that have one [s].
 constexpr int kFurtherRuns = 30;         ///< Of unknown figures and delayed output.
-constexpr int kCostlyRuns = 5;           ///< Window trackers under literal clutter.
+constexpr int kCostlyRuns = 20;          ///< Of csht under literal clutter, some 5 s a run.
+constexpr int kPrintedRuns = 5;          ///< Of the printed steps there.
 
 /// One point of the tables.
 struct Point {
@@ -82,7 +83,8 @@ Cell make_cell(const std::string& method, const std::string& clutter, const Poin
                      {"window_scans", window},
                      {"sensor_figures", "known"},
                      {"lag_s", 0.0}};
-  if (uses_window(method) && clutter == "literal") cell.max_runs = kCostlyRuns;
+  if (uses_window(method) && clutter == "literal")
+    cell.max_runs = method == kPrinted ? kPrintedRuns : kCostlyRuns;
   return cell;
 }
 

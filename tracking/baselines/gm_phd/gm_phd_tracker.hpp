@@ -16,8 +16,9 @@ struct GmPhdParams {
   /// a target: a fifth of the scans are taken for hidden.
   ScanViewParams view{.hidden = 0.2};
   PopulationParams population;  ///< See there.
-  ExistenceParams existence;    ///< Of a label's expected number of targets.
-  IntensityParams intensity;    ///< See there.
+  /// Of a label's expected number of targets.
+  ExistenceParams existence{.confirm = 0.7};
+  IntensityParams intensity;  ///< See there.
 
   /// @throws std::invalid_argument naming the first value out of range.
   void validate() const;

@@ -12,7 +12,7 @@ namespace lookout::tracking {
 /// How the mixture of the intensity is kept small.
 struct IntensityParams {
   double least_weight = 1e-5;   ///< Weight below which a component is dropped, in (0, 1).
-  double merge_distance = 1.0;  ///< As ReductionParams has it, >= 0; the label of the heavier stays.
+  double merge_distance = 2.0;  ///< As ReductionParams has it, >= 0; the label of the heavier stays.
   int most = 600;               ///< Components that are kept, >= 1.
 
   /// @throws std::invalid_argument naming the first value out of range.
