@@ -62,10 +62,15 @@ std::vector<std::int64_t> times_of_poses(const FaultedRun& run) {
   return times;
 }
 
-bool is_posed(std::int64_t utime, const std::vector<std::int64_t>& poses) {
+/// Whether a scan has its pose: states on either side, near enough, and the later one before a scan that
+/// shows that the wait for it is over.
+bool is_posed(std::int64_t utime, const std::vector<std::int64_t>& poses,
+              const std::map<std::int64_t, core::SonarScan>& scans) {
   const auto after = std::lower_bound(poses.begin(), poses.end(), utime);
   if (after == poses.end()) return false;
   if (*after == utime) return true;
+  const auto over = scans.upper_bound(utime + tracking::IntakeParams().max_wait);
+  if (over != scans.end() && over->first < *after) return false;
   return after != poses.begin() && *after - *std::prev(after) <= core::PoseHistory::kMaxBracket;
 }
 
@@ -81,7 +86,7 @@ std::int64_t count_bad_scans(const FaultedRun& run) {
   for (const auto& [utime, scan] : by_time) {
     repeats = before != nullptr && same_returns(scan, *before) ? repeats + 1 : 0;
     before = &scan;
-    if (repeats > 1 || !is_posed(utime, poses)) ++bad;
+    if (repeats > 1 || !is_posed(utime, poses, by_time)) ++bad;
   }
   return bad;
 }
