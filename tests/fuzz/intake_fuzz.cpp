@@ -12,8 +12,8 @@
 namespace lookout::tests {
 namespace {
 
-constexpr std::int64_t kTenth = 100'000;  // [us]
-constexpr std::array kLeaps{std::int64_t{0}, 30 * 10 * kTenth, -3 * 10 * kTenth, 36'000 * 10 * kTenth};
+constexpr std::int64_t kTenth = 100'000, kSecond = 1'000'000;  // [us]
+constexpr std::array kLeaps{std::int64_t{0}, 30 * kSecond, -3 * kSecond, 36'000 * kSecond};
 constexpr std::array kAngles{0.0, 0.3, -0.3, 40.0};
 
 /// Bytes taken from the front; 0 where there are no more.

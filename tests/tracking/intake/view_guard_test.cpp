@@ -85,7 +85,7 @@ TEST_F(ViewGuardTest, OneTargetAloneMayMislead) {
 TEST_F(ViewGuardTest, BelievesWhatGoesOnForTwentySeconds) {
   doubts({0.1, 0.25, 0.4}, kHeading, 0);
   int doubted = 0;
-  for (int i = 1; i <= 8; ++i) doubted += doubts({-0.1, -0.25, -0.4}, kHeading, i * 5 * kSecond);
+  for (int i = 1; i <= 8; ++i) doubted += doubts({-0.1, -0.25, -0.4}, kHeading, 5 * kSecond * i);
   EXPECT_GE(doubted, 38);  // 20 s, two scans a second, but for the first.
   EXPECT_LE(doubted, 41);
 }
