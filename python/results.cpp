@@ -40,6 +40,8 @@ py::dict as_dict(const tracking::IntakeCounts& counts) {
   add("damaged", counts.damaged);
   add("out_of_time", counts.out_of_time);
   add("frozen", counts.frozen);
+  add("foreign", counts.foreign);
+  add("contradicting", counts.contradicting);
   add("lost", counts.lost);
   add("restarts", counts.restarts);
   add("resets", counts.resets);

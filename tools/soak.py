@@ -1,13 +1,13 @@
 #!/usr/bin/python3
 """Hours of a vehicle's life through the real chain, to see that memory and latency stay flat and no count goes back.
 
-usage: tools/soak.py [--hours 1] [--minutes 600] [--program build/lookout] [--scenario tools/scenarios/soak.yaml] [--out soak.csv]
+usage: tools/soak.py [--hours 1] [--minutes 600] [--period 0.5] [--program build/lookout] [--scenario tools/scenarios/soak.yaml] [--out soak.csv]
        [-- TRACK_OPTIONS]
 
 Runs `lookout sim --speed max` and `lookout track` over UDP multicast in a network namespace of their own, samples the
 tracker's memory and reads its LOOKOUT_STATUS once a second, and prints a table of quarter hours of scenario time (of
 hours, for more than two). Every further hour has the targets of the scene's first anew. Where
-the machine needs more than --minutes it ends there and says how far it came. Exits with 1 where a count went
+the machine needs more than --minutes it ends there and says how far it came. --period is the time between scans. Exits with 1 where a count went
 back, scans were not accepted, or memory grew from the second hour to the last by more than a tenth.
 """
 import argparse
@@ -27,7 +27,6 @@ LOG_EVENT = struct.Struct(">IqqII")  # mark, number, time, lengths of channel an
 LOG_MARK = 0xEDA1DA01
 STATUS = struct.Struct(">qqi5q2d")  # fingerprint, utime, node_id, accepted to send_errors, latencies p50, p99
 MINUTE, QUARTER, HOUR = 60.0, 900.0, 3600.0  # s
-PERIOD = 0.5  # s between scans
 MOST_GROWTH = 0.1  # of resident memory, from the second hour's end to the last's
 MOVING = re.compile(r"  - \{.*\}")
 
@@ -56,11 +55,12 @@ def an_hour_later(line, hour):
     return re.sub(r"\bid: (\d+)", lambda found: f"id: {int(found.group(1)) + 1000 * hour}", line)
 
 
-def lengthened(scenario, hours):
-    """The scene over so many hours, as text."""
+def lengthened(scenario, hours, period):
+    """The scene over so many hours, a scan every `period` seconds, as text."""
     text = pathlib.Path(scenario).read_text()
     passing = [line for line in text.splitlines() if MOVING.match(line) and number(line, "disappear") is not None]
     further = [an_hour_later(line, hour) for hour in range(1, hours) for line in passing]
+    text = re.sub(r"scan_period: [\d.]+", f"scan_period: {period}", text)
     return re.sub(r"duration: [\d.]+", f"duration: {HOUR * hours}", text) + "".join(line + "\n" for line in further)
 
 
@@ -89,7 +89,7 @@ def statuses(log):
 def run(arguments, folder):
     """Runs the three processes; returns (wall time, resident kB) samples and what the tracker said at its end."""
     log, scene = folder / "log", folder / "scene.yaml"
-    scene.write_text(lengthened(arguments.scenario, arguments.hours))
+    scene.write_text(lengthened(arguments.scenario, arguments.hours, arguments.period))
     logger = subprocess.Popen(["lcm-logger", "--quiet", f"--lcm-url={URL}", "--channel=LOOKOUT_STATUS", str(log)])
     tracker = subprocess.Popen(
         [arguments.program, "track", "--lcm-url", URL, *arguments.track_options], stderr=subprocess.PIPE, text=True
@@ -122,9 +122,9 @@ def table(rows, hours):
     return parts
 
 
-def complaints(rows, parts):
+def complaints(rows, parts, period):
     """What is wrong with a run, a line each."""
-    done = int(rows[-1][0] / PERIOD)
+    done = int(rows[-1][0] / period)
     for before, after in zip(rows, rows[1:]):
         if any(new < old for old, new in zip(before[1], after[1])):
             yield f"a count went back from {before[1]} to {after[1]} at {after[0]:.0f} s"
@@ -142,6 +142,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--hours", type=int, default=1)
     parser.add_argument("--minutes", type=float, default=600.0)
+    parser.add_argument("--period", type=float, default=0.5)
     parser.add_argument("--program", default="build/lookout")
     parser.add_argument("--scenario", default="tools/scenarios/soak.yaml")
     parser.add_argument("--out", default="soak.csv")
@@ -158,7 +159,7 @@ def main():
         writer.writerow(["time_s", "scans", "resident_kb", "latency_ms_p50", "latency_ms_p99"])
         writer.writerows([time_s, counts[0], *others] for time_s, counts, *others in rows)
     print(said)
-    wrong = list(complaints(rows, table(rows, arguments.hours)))
+    wrong = list(complaints(rows, table(rows, arguments.hours), arguments.period))
     print(f"soak: {rows[-1][0] / HOUR:.2f} of {arguments.hours} hours done")
     print("\n".join(wrong) or "soak: flat, every scan accepted")
     sys.exit(1 if wrong else 0)

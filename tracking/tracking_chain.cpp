@@ -1,11 +1,13 @@
 #include "tracking/tracking_chain.hpp"
 
 #include <cassert>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "core/field_of_view.hpp"
+#include "core/files/time_text.hpp"
 #include "tracking/intake/ping_checks.hpp"
 
 namespace lookout::tracking {
@@ -14,6 +16,28 @@ namespace {
 /// Identities that another process may have given since its memory was taken: more than any sea gives in
 /// seconds.
 constexpr std::int64_t kGivenSince = 1000;
+
+/// Longest pause over which a sensor's numbers say that it went on [us].
+constexpr double kLongestPause = 1e7;
+
+/// By how much the clock was set back between the newest scan of before and `first` [us], below 0, where the
+/// sensor's numbers go on and its period says how much time they took; nothing where they do not, and nothing
+/// for a clock that leaps ahead: a sensor that slept looks the same.
+std::optional<std::int64_t> clock_step(const std::vector<core::RememberedScan>& before,
+                                       const core::SonarScan& first) {
+  const core::SonarScan *last = nullptr, *earlier = nullptr;
+  for (const auto& [vehicle, scan] : before)
+    if (scan.sensor_id == first.sensor_id) earlier = std::exchange(last, &scan);
+  if (earlier == nullptr) return std::nullopt;
+  const auto numbers = [](const core::SonarScan& from, const core::SonarScan& to) {
+    return static_cast<double>(to.sequence) - static_cast<double>(from.sequence);
+  };
+  const double period = static_cast<double>(last->utime - earlier->utime) / numbers(*earlier, *last);
+  const double pause = numbers(*last, first) * period;
+  if (!(period > 0.0 && pause > 0.0 && pause <= kLongestPause)) return std::nullopt;
+  const std::int64_t step = first.utime - (last->utime + std::llround(pause));
+  return step < 0 ? std::optional(step) : std::nullopt;
+}
 
 }  // namespace
 
@@ -47,14 +71,19 @@ TrackingChain::TrackingChain(const ChainParams& params, MakePipeline make_pipeli
       on_result_(std::move(on_result)),
       lag_(params.lag),
       pipeline_(make_pipeline_(configured_)),
+      view_guard_(configured_),
+      report_(std::move(report)),
       intake_(configured_,
               {[this](const core::PosedScan& scan) { track(scan); },
                [this] { reset(); },
-               [this, report = std::move(report)](const std::string& line) {
-                 if (!is_restoring_) report(line);
+               [this](const std::string& line) {
+                 if (!is_restoring_) report_(line);
                },
                {},
-               [this](const core::Pose2& T_earth_body) { T_earth_body_ = T_earth_body; }},
+               [this](const core::Pose2& T_earth_body) { T_earth_body_ = T_earth_body; },
+               [this](const core::PosedScan& scan, const core::Pose2& T_earth_body) {
+                 return view_guard_.doubt(scan, T_earth_body);
+               }},
               params.intake) {
   if (lag_ < 0 || lag_ > ChainParams::kMaxLag)
     throw std::invalid_argument("lag must be in [0, 60 s], got " + std::to_string(lag_) + " us");
@@ -76,12 +105,12 @@ std::unique_ptr<ScanPipeline> TrackingChain::make_told(ChainParams params, const
 
 core::TrackingMemory TrackingChain::memory() const {
   core::TrackingMemory memory{pipeline_->next_id(), newest_tracks_utime_, newest_tracks_, {}};
-  if (scans_) memory.scans = scans_->scans();
+  if (remembers_) memory.scans = scans_.scans();
   return memory;
 }
 
 std::size_t TrackingChain::restore(const core::TrackingMemory& memory) {
-  if (!scans_) remember();
+  if (!remembers_) remember();
   is_restoring_ = true;
   pipeline_->set_next_id(memory.next_id + kGivenSince);
   for (const auto& [vehicle, scan] : memory.scans) {
@@ -101,6 +130,7 @@ void TrackingChain::use(const core::SonarParams& sensor) {
   assert(is_fresh_);
   configured_ = sensor;
   pipeline_ = make_pipeline_(configured_);
+  view_guard_ = ViewGuard(configured_);
 }
 
 void TrackingChain::finish() {
@@ -115,8 +145,10 @@ void TrackingChain::track(const core::PosedScan& scan) {
     pipeline_->set_next_id(next_id);
   }
   is_fresh_ = false;
-  if (scans_) scans_->add(scan.scan, T_earth_body_);
+  if (other_clock_) go_on_from(scan.scan);
+  scans_.add(scan.scan, T_earth_body_);
   const PingResult result = pipeline_->step(scan);
+  view_guard_.keep(result.tracks, result.utime);
   if (lag_ == 0) return give(result);
   delay(result);
   give_until(result.utime - lag_);
@@ -138,23 +170,51 @@ void TrackingChain::give_until(std::int64_t utime) {
 
 void TrackingChain::give(PingResult result) {
   result.tracks = identities_.rename(result.tracks, result.utime);
-  if (scans_) {
-    newest_tracks_.assign(result.tracks.begin(), result.tracks.end());
-    newest_tracks_utime_ = result.utime;
-  }
+  newest_tracks_.assign(result.tracks.begin(), result.tracks.end());
+  newest_tracks_utime_ = result.utime;
   if (!is_restoring_) on_result_(result);
 }
 
-// A new clock: everything is forgotten but which identities were used.
+// A new clock: everything is forgotten but which identities were used, unless its first scan shows that the
+// clock was set back and the sensor went on.
 void TrackingChain::reset() {
   give_until(std::numeric_limits<std::int64_t>::max());
+  other_clock_ = core::TrackingMemory{0, newest_tracks_utime_, newest_tracks_, scans_.scans()};
   const std::int64_t next_id = pipeline_->next_id();
   pipeline_ = make_pipeline_(configured_);
   pipeline_->set_next_id(next_id);
   identities_.stop_looking();
-  if (scans_) scans_->forget();
+  view_guard_.forget();
+  scans_.forget();
   newest_tracks_.clear();
   is_fresh_ = true;
+}
+
+/// The first scan of a new clock: where its number follows the last of the old one, the clock was set.
+void TrackingChain::go_on_from(const core::SonarScan& first) {
+  const core::TrackingMemory memory = std::move(*std::exchange(other_clock_, std::nullopt));
+  const auto step = clock_step(memory.scans, first);
+  if (!step) return;
+  report_("the numbers of scans go on: the clock was set back by " + core::time_text(-*step) +
+          " s, and tracking goes on");
+  track_again(memory, *step);
+}
+
+/// Tracks the scans of before in silence, as of a clock that was set by `step` [us], and gives their tracks
+/// the identities that they had.
+void TrackingChain::track_again(const core::TrackingMemory& memory, std::int64_t step) {
+  is_restoring_ = true;
+  identities_.expect(memory.tracks, memory.utime + step);
+  core::PosedScan posed;
+  for (const auto& [vehicle, scan] : memory.scans) {
+    posed.scan = scan;
+    posed.scan.utime += step;
+    posed.T_earth_sonar = core::compose(vehicle.T_earth_body, scan.T_body_sonar);
+    scans_.add(posed.scan, vehicle.T_earth_body);
+    const PingResult result = pipeline_->step(posed);
+    view_guard_.keep(result.tracks, result.utime);
+  }
+  is_restoring_ = false;
 }
 
 }  // namespace lookout::tracking

@@ -12,6 +12,7 @@
 #include "core/tracking_memory.hpp"
 #include "csht/estimator_registry.hpp"
 #include "tracking/intake/scan_intake.hpp"
+#include "tracking/intake/view_guard.hpp"
 #include "tracking/ping_result.hpp"
 #include "tracking/restart/identity_map.hpp"
 #include "tracking/restart/scan_memory.hpp"
@@ -71,7 +72,10 @@ class TrackingChain {
   void start_new_clock() { intake_.start_new_clock(); }  ///< What comes now is on another clock.
 
   /// From now on the newest scans are kept for `memory`.
-  void remember(const ScanMemoryParams& params = {}) { scans_.emplace(params); }
+  void remember(const ScanMemoryParams& params = {}) {
+    scans_ = ScanMemory(params);
+    remembers_ = true;
+  }
   /// What a chain of another process needs to go on. Without `remember` it holds no scans.
   core::TrackingMemory memory() const;
   /// Goes on where another chain ended: tracks its scans again, in silence, and gives their tracks the
@@ -95,6 +99,8 @@ class TrackingChain {
   void give_until(std::int64_t utime);
   void give(PingResult result);
   void reset();
+  void go_on_from(const core::SonarScan& first);
+  void track_again(const core::TrackingMemory& memory, std::int64_t step);
   static std::unique_ptr<ScanPipeline> make_told(ChainParams params, const core::SonarParams& sensor,
                                                  TrackingChain& chain);
 
@@ -105,12 +111,16 @@ class TrackingChain {
   std::unique_ptr<ScanPipeline> pipeline_;
   bool is_fresh_ = true;  ///< The pipeline has seen no scan.
   std::deque<Delayed> delayed_;
-  std::optional<ScanMemory> scans_;
+  ScanMemory scans_;        ///< The newest, for who goes on after a restart or on another clock.
+  bool remembers_ = false;  ///< They are given to `memory`.
+  std::optional<core::TrackingMemory> other_clock_;  ///< What was known when a new clock began.
   IdentityMap identities_;
-  std::vector<core::Track> newest_tracks_;  ///< As they were last given; kept with `scans_` alone.
+  ViewGuard view_guard_;
+  std::vector<core::Track> newest_tracks_;  ///< As they were last given.
   std::int64_t newest_tracks_utime_ = 0;
   core::Pose2 T_earth_body_;  ///< Of the scan that is tracked next.
   bool is_restoring_ = false;
+  Report report_;
   ScanIntake intake_;
 };
 

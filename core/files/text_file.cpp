@@ -1,5 +1,6 @@
 #include "core/files/text_file.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -11,7 +12,8 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{2} << 30;  // A device without an end is not read for ever.
 constexpr std::size_t kLongestShown = 60;
-constexpr std::size_t kChunk = std::size_t{1} << 20;
+/// Read at once; what is read so far, within these: a small file does not cost a large buffer.
+constexpr std::size_t kFewest = std::size_t{1} << 12, kMost = std::size_t{1} << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string read_bytes(const std::string& path, std::string_view expected) {
@@ -23,8 +25,9 @@ std::string read_bytes(const std::string& path, std::string_view expected) {
   std::string bytes;
   while (file && bytes.size() <= kLargestFile) {
     const std::size_t before = bytes.size();
-    bytes.resize(before + kChunk);
-    file.read(bytes.data() + before, static_cast<std::streamsize>(kChunk));
+    const std::size_t chunk = std::clamp(before, kFewest, kMost);
+    bytes.resize(before + chunk);
+    file.read(bytes.data() + before, static_cast<std::streamsize>(chunk));
     bytes.resize(before + static_cast<std::size_t>(file.gcount()));
   }
   if (file.bad()) throw InputError(path + ": cannot be read; expected " + std::string(expected));

@@ -5,7 +5,8 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace lookout;
   tools::Options options;
-  options.config = tests::write_scratch("config.yaml", tests::as_text(data, size));
+  options.config = "config.yaml";
+  options.config_text = tests::as_text(data, size);
   tests::read_or_refuse([&] { tools::load_configuration(options); });
   return 0;
 }

@@ -64,10 +64,11 @@ class TrackingChainTest : public ::testing::Test {
         },
         [](const std::string&) {});
   }
-  static void feed(TrackingChain& chain, std::int64_t utime) {
+  static void feed(TrackingChain& chain, std::int64_t utime, std::int64_t sequence = 0) {
     chain.add(core::VehicleState{utime, {}, {0.0, 0.0}});
     core::SonarScan scan;
     scan.utime = utime;
+    scan.sequence = sequence;
     scan.bearing_step = 0.1;
     scan.max_range = 1.0;
     scan.num_beams = 1;
@@ -84,6 +85,24 @@ TEST_F(TrackingChainTest, GivesTracksForEachScanAndUsesNoIdentityTwiceOnANewCloc
   for (const auto& given : given_) ids.push_back(given.id);
   EXPECT_EQ(ids, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));  // None twice.
   EXPECT_EQ(online->counts().resets, 1);
+}
+
+// The numbers go on, so that an hour back is a clock that was set: the three scans of before are tracked
+// again, in silence.
+TEST_F(TrackingChainTest, GoesOnWhereAClockIsSetBackAndTheSensorGoesOn) {
+  const auto online = chain(0);
+  for (int i = 0; i < 3; ++i) feed(*online, kHour + i * kSecond, i);
+  for (int i = 0; i < 6; ++i) feed(*online, i * kSecond, 3 + i);
+  ASSERT_EQ(given_.size(), 9u);
+  EXPECT_EQ(given_[3], (Given{0, 7, 0.0}));  // The fourth scan of its tracker, which counts 4 to 6 before.
+}
+
+TEST_F(TrackingChainTest, StartsAgainWhereAClockLeapsAheadThoughTheNumbersGoOn) {
+  const auto online = chain(0);
+  for (int i = 0; i < 3; ++i) feed(*online, i * kSecond, i);
+  for (int i = 0; i < 6; ++i) feed(*online, kHour + i * kSecond, 3 + i);
+  ASSERT_EQ(given_.size(), 9u);
+  EXPECT_EQ(given_[3], (Given{kHour, 4, 0.0}));
 }
 
 TEST_F(TrackingChainTest, WithALagGivesEachScanOnceAsItIsKnownSoMuchLater) {

@@ -68,6 +68,8 @@ std::string describe(const tracking::IntakeCounts& counts) {
   add(counts.damaged, "rejected as damaged");
   add(counts.out_of_time, "rejected as out of time");
   add(counts.frozen, "rejected as frozen");
+  add(counts.foreign, "rejected as of another sender");
+  add(counts.contradicting, "rejected as contradicting their geometry or the tracks");
   add(counts.shed, "shed under overload");
   add(counts.lost, "lost by sequence");
   add(counts.restarts, "restarts of the sequence");

@@ -104,6 +104,8 @@ void PingIntake<Ping>::add(Ping ping) {
   if (const auto reason = defect(ping); !reason.empty()) return reject(ping, reason, counts_.damaged);
   Sensor* sensor = sensor_of(ping);
   if (sensor == nullptr) return reject(ping, "more sensors than 64 on one vehicle", counts_.damaged);
+  if (sensor->sender.is_foreign(ping.sequence))
+    return reject(ping, "another sender speaks under its sensor_id, in numbers of its own", counts_.foreign);
   const std::int64_t utime = ping.utime;
   const Verdict verdict = sensor->clock.judge(utime);
   if (verdict == Verdict::in_order) refuse_held(*sensor);
@@ -219,11 +221,15 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   count_sequence(sensor, ping.sequence);
   handed_out_ = sensor.last_out = ping.utime;
   if (is_frozen(sensor, ping)) return reject(ping, "its content repeats to the bit", counts_.frozen);
-  counts_.returns += num_returns(ping);
+  const std::int64_t returns = num_returns(ping);
   const DroppedReturns dropped = drop_returns(ping);
+  if (const auto reason = contradiction(sensor, dropped, T_earth_body); !reason.empty())
+    return reject(ping, reason, counts_.contradicting);
+  counts_.returns += returns;
   counts_.silent_returns += dropped.silent;
   counts_.dropped_returns += dropped.out_of_bounds;
   ++counts_.accepted;
+  accepted_ = ping.utime;
   if (sink_.pose) sink_.pose(T_earth_body);
   sink_.accept(posed_);
 }
@@ -251,6 +257,17 @@ bool PingIntake<Ping>::is_frozen(Sensor& sensor, const Ping& ping) {
                  so_far(counts_.repeated));
   sensor.repeats = repeats ? sensor.repeats + 1 : 0;
   return sensor.repeats > 1;
+}
+
+/// What the ping that would be accepted contradicts: its own geometry, or what is tracked.
+template <class Ping>
+std::string_view PingIntake<Ping>::contradiction(Sensor& sensor, const DroppedReturns& dropped,
+                                                 const core::Pose2& T_earth_body) {
+  const Ping& ping = ping_of(posed_);
+  const auto all = static_cast<int>(num_returns(ping)) + dropped.out_of_bounds;
+  if (sensor.outside.contradict(dropped.out_of_bounds, all, ping.utime))
+    return "most of its returns suddenly lie outside of its beams or range: degrees, another unit?";
+  return sink_.doubt ? sink_.doubt(posed_, T_earth_body) : std::string_view();
 }
 
 template <class Ping>
@@ -283,6 +300,7 @@ void PingIntake<Ping>::begin_new_clock(Sensor& first, std::int64_t utime) {
   hold_.forget();
   hand_out_what_has_a_pose();
   while (!waiting_.empty()) give_up_first("no pose before a new clock began");
+  const bool back = is_back(begin, utime);
   states_.begin_new_clock(utime);
   std::vector<Sensor*> on_it{&first};
   for (auto& [id, sensor] : sensors_) {
@@ -295,11 +313,26 @@ void PingIntake<Ping>::begin_new_clock(Sensor& first, std::int64_t utime) {
     }
   }
   forget_clock();
-  ++counts_.resets;
-  sink_.report("new clock" + at_time(begin) + from + ": tracking starts again, identities go on" +
-               so_far(counts_.resets));
-  sink_.reset();
+  if (back) {
+    handed_out_ = accepted_;
+    sink_.report("the clock is back" + at_time(begin) + from + ": tracking goes on");
+  } else {
+    accepted_.reset();
+    ++counts_.resets;
+    sink_.report("new clock" + at_time(begin) + from + ": tracking starts again, identities go on" +
+                 so_far(counts_.resets));
+    sink_.reset();
+  }
   for (Sensor* sensor : on_it) release(*sensor);
+}
+
+/// Whether times from `begin` to `utime` are on the clock of what was last accepted and of the vehicle's
+/// states: those in between, of which no pose was known, were the mistake.
+template <class Ping>
+bool PingIntake<Ping>::is_back(std::int64_t begin, std::int64_t utime) const {
+  const auto states = states_.newest_utime();
+  return accepted_ && states && begin > *accepted_ && utime - *accepted_ <= params_.clock.max_step &&
+         std::abs(*states - utime) <= pose_wait_;
 }
 
 template <class Ping>
@@ -320,6 +353,7 @@ void PingIntake<Ping>::start_new_clock() {
   states_.start_new_clock();
   for (auto& [id, sensor] : sensors_) sensor.clock.forget();
   forget_clock();
+  accepted_.reset();
   ++counts_.resets;
   sink_.report("the recording goes on on a new clock: tracking starts again, identities go on" +
                so_far(counts_.resets));

@@ -12,9 +12,11 @@
 #include "core/sonar_image.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
+#include "tracking/intake/outside_returns.hpp"
 #include "tracking/intake/ping_checks.hpp"
 #include "tracking/intake/pose_intake.hpp"
 #include "tracking/intake/reorder_hold.hpp"
+#include "tracking/intake/sender_guard.hpp"
 #include "tracking/intake/waiting_pings.hpp"
 
 namespace lookout::tracking {
@@ -38,6 +40,8 @@ struct IntakeCounts {
   std::int64_t damaged = 0;          ///< Pings with a damaged header or wrong sizes.
   std::int64_t out_of_time = 0;      ///< Pings that repeat, come too late or leap ahead in time.
   std::int64_t frozen = 0;           ///< Pings with the content of two before them, to the bit.
+  std::int64_t foreign = 0;          ///< Pings of another sender under the same sensor_id.
+  std::int64_t contradicting = 0;    ///< Pings that contradict their geometry or what is tracked.
   std::int64_t shed = 0;             ///< Pings left out, unread, because newer ones waited.
   std::int64_t lost = 0;             ///< Pings missing by their sensor's sequence: they never came.
   std::int64_t restarts = 0;         ///< Times that a sequence went backwards.
@@ -54,7 +58,7 @@ struct IntakeCounts {
   std::int64_t bad_states = 0;       ///< Vehicle states damaged or out of time.
 
   /// Pings that were not handed out.
-  std::int64_t rejected() const { return no_pose + damaged + out_of_time + frozen; }
+  std::int64_t rejected() const { return no_pose + damaged + out_of_time + frozen + foreign + contradicting; }
 };
 
 /// The posed form of a kind of ping.
@@ -90,6 +94,8 @@ class PingIntake {
     /// A state that is believed; `new_clock`: the first of a new clock, of which a `reset` may follow.
     std::function<void(const core::VehicleState&, bool new_clock)> believe = {};
     std::function<void(const core::Pose2& T_earth_body)> pose = {};  ///< Of the ping that is accepted next.
+    /// What is wrong with a ping that would be accepted, by what is tracked; empty: nothing.
+    std::function<std::string_view(const Posed&, const core::Pose2& T_earth_body)> doubt = {};
   };
 
   /// @param configured geometry; that of a message wins, a disagreement is counted and reported. Its
@@ -114,6 +120,8 @@ class PingIntake {
   struct Sensor {
     ClockGuard clock;
     core::SequenceGaps gaps;
+    SenderGuard sender = {};
+    OutsideReturns outside = OutsideReturns();
     std::vector<Ping> held = {};  ///< Suspect, and each later than the one before.
     std::optional<std::int64_t> last_out = {};
     std::optional<PingGeometry> geometry = {};
@@ -130,10 +138,13 @@ class PingIntake {
   void hand_out_what_has_a_pose();
   void hand_out(const core::Pose2& T_earth_body);
   bool is_frozen(Sensor& sensor, const Ping& ping);
+  std::string_view contradiction(Sensor& sensor, const DroppedReturns& dropped,
+                                 const core::Pose2& T_earth_body);
   void look_at(Sensor& sensor, const Ping& ping);
   void give_up_first(std::string_view reason);
   std::string why_no_pose(std::int64_t utime) const;
   void begin_new_clock(Sensor& first, std::int64_t utime);
+  bool is_back(std::int64_t begin, std::int64_t utime) const;
   void forget_clock();
   void count_sequence(Sensor& sensor, std::int64_t sequence);
   void refuse_out_of_time(Sensor& sensor, const Ping& ping, std::string_view reason);
@@ -148,6 +159,7 @@ class PingIntake {
   ReorderHold hold_;
   WaitingPings<Ping> waiting_;
   std::optional<std::int64_t> handed_out_;  ///< Time of the newest ping that has left [us].
+  std::optional<std::int64_t> accepted_;    ///< Of those, of the newest that was accepted [us].
   Posed posed_;
   IntakeCounts counts_;
   std::int64_t num_gaps_ = 0;

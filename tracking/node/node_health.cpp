@@ -46,6 +46,7 @@ HealthSample NodeHealth::change() const {
   recent.send_errors -= oldest.send_errors;
   recent.returns -= oldest.returns;
   recent.dropped_returns -= oldest.dropped_returns;
+  recent.contradicting -= oldest.contradicting;
   recent.repeated -= oldest.repeated;
   recent.wide_headings -= oldest.wide_headings;
   recent.twins -= oldest.twins;
@@ -96,6 +97,9 @@ void NodeHealth::judge_content(const HealthSample& recent) {
       static_cast<double>(recent.dropped_returns) > kMostOutOfBounds * static_cast<double>(recent.returns))
     blame(NodeState::degraded,
           "implausible: many returns lie outside the beams or the range: degrees, another unit?");
+  if (recent.contradicting > 0)
+    blame(NodeState::degraded,
+          "implausible: scans contradict their geometry or what is tracked: degrees, another unit, a sign?");
   if (recent.wide_headings > 0)
     blame(NodeState::degraded, "implausible: the vehicle's heading is beyond two turns: degrees?");
   if (recent.miss_probability > kMostMissed)

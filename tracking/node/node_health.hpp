@@ -19,6 +19,7 @@ struct HealthSample {
   std::int64_t send_errors = 0;      ///< Messages that the system refused to send.
   std::int64_t returns = 0;          ///< Of accepted pings, those left out included.
   std::int64_t dropped_returns = 0;  ///< Of those, out of bounds.
+  std::int64_t contradicting = 0;    ///< Pings refused for what they contradict.
   std::int64_t repeated = 0;         ///< Pings with the content of the one before.
   std::int64_t wide_headings = 0;    ///< Vehicle states with a heading beyond two turns.
   std::int64_t twins = 0;            ///< Statuses of another tracker with our channel and node id.

@@ -145,8 +145,9 @@ void ChainNode<Chain>::publish_status() {
   sample.returns = counts.returns;
   sample.dropped_returns = counts.dropped_returns;
   sample.repeated = counts.repeated;
+  sample.contradicting = counts.contradicting;
   sample.wide_headings = counts.wide_headings;
-  sample.restarts = counts.backwards;
+  sample.restarts = counts.backwards + counts.foreign;
   node_.publish_status(figures(), sample);
 }
 

@@ -17,6 +17,16 @@ TEST(TextFile, ReadsBackWhatItWroteAndDropsAByteOrderMark) {
   EXPECT_EQ(read_text_file(folder.write("b.txt", "\xEF\xBB\xBFone"), "text"), "one");
 }
 
+// What is read at once grows from 4 kB to 1 MB: sizes around each step, and what is read is all there.
+TEST(TextFile, ReadsFilesOfEverySizeWhole) {
+  const tests::TemporaryDirectory folder;
+  for (const std::size_t size : {0U, 1U, 4095U, 4096U, 4097U, 8192U, 100'000U, 3'000'001U}) {
+    std::string text(size, 'a');
+    for (std::size_t i = 0; i < size; i += 7) text[i] = static_cast<char>('a' + i % 26);
+    EXPECT_EQ(read_text_file(folder.write("f.txt", text), "text"), text) << size;
+  }
+}
+
 TEST(TextFile, NamesTheCureForUtf16) {
   const tests::TemporaryDirectory folder;
   const std::string path = folder.write("u.csv", std::string("\xFF\xFE"

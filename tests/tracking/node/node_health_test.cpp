@@ -82,6 +82,10 @@ TEST_F(NodeHealthTest, FindsReturnsAndFiguresImplausible) {
   EXPECT_NE(health_.text().find("implausible: many returns"), std::string::npos);
   seconds(10);
   EXPECT_EQ(health_.state(), NodeState::healthy);
+  sample_.contradicting += 1;
+  seconds(1);
+  EXPECT_NE(health_.text().find("implausible: scans contradict"), std::string::npos);
+  seconds(10);
   sample_.wide_headings += 1;
   seconds(1);
   EXPECT_NE(health_.text().find("degrees?"), std::string::npos);

@@ -22,28 +22,18 @@ TEST(Faults, HasARowForEveryShippedPlan) {
 }
 
 /// Each fault, once, on Table 7's scene.
-class FaultsTest : public ::testing::TestWithParam<std::string> {
- protected:
-  static Metrics metrics_of(const std::string& name) {
-    const auto experiment = make_faults();
-    for (const Cell& cell : experiment->cells())
-      if (cell.parameters.text("fault") == name) return experiment->run(cell, 1000, 0);
-    return {};
-  }
-};
+class FaultsTest : public ::testing::TestWithParam<std::string> {};
 
-// What came is accounted for, the counters say what the fault did, and the damage ends: at most as much later
-// as old tracks need to be disbelieved than with a tracker that is switched on at the fault's end, and at
-// most a quarter of a minute.
+// What came is accounted for, the counters say what the fault did, and the damage ends no later than a target
+// is confirmed, and two seconds.
 TEST_P(FaultsTest, IsCountedSurvivedAndOver) {
-  constexpr double kDisbelief = 7.0, kMost = 15.0;  // s; docs/faults.md has the figures.
-  const Metrics metrics = metrics_of(GetParam());
+  constexpr double kMore = 2.0;  // s
+  const Metrics metrics = rehearse(GetParam(), 1000, 0, false);
   EXPECT_EQ(metrics.at("accounted").value, 1.0);
   EXPECT_EQ(metrics.at("counts_exact").value, 1.0)
       << "dropped " << metrics.at("dropped").value << ", rejected " << metrics.at("rejected").value
       << ", resets " << metrics.at("resets").value;
-  if (GetParam() == "none") return;
-  EXPECT_LE(metrics.at("recovery_s").value, std::min(kMost, metrics.at("fresh_s").value + kDisbelief));
+  EXPECT_LE(metrics.at("recovery_s").value, metrics.at("time_to_confirm_s").value + kMore);
 }
 
 INSTANTIATE_TEST_SUITE_P(Every, FaultsTest, ::testing::ValuesIn(fault_names()),
