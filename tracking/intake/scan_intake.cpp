@@ -36,6 +36,19 @@ std::int64_t num_returns(const core::SonarImage& /*image*/) {
   return 0;
 }
 
+/// The fan that the scan's message could not carry.
+void give_fan(FanFinder& finder, const core::SonarParams& configured, core::SonarScan& scan) {
+  scan.fan = finder.fan_of(scan, configured);
+}
+void give_fan(FanFinder& /*finder*/, const core::SonarParams& /*configured*/, core::SonarImage& /*image*/) {}
+
+bool learns_fan(FanFinder& finder, const core::SonarScan& scan) {
+  return finder.learn(scan);
+}
+bool learns_fan(FanFinder& /*finder*/, const core::SonarImage& /*image*/) {
+  return false;
+}
+
 std::int64_t max_pose_gap(const core::SonarParams& configured) {
   return core::microseconds(configured.max_pose_gap);
 }
@@ -219,13 +232,22 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   count_sequence(sensor, ping.sequence);
   handed_out_ = sensor.last_out = ping.utime;
   if (is_frozen(sensor, ping)) return reject(ping, "its content repeats to the bit", counts_.frozen);
-  counts_.returns += num_returns(ping);
-  const DroppedReturns dropped = drop_returns(ping);
-  counts_.silent_returns += dropped.silent;
-  counts_.dropped_returns += dropped.out_of_bounds;
+  drop_returns_of(sensor, ping);
   ++counts_.accepted;
   if (sink_.pose) sink_.pose(T_earth_body);
   sink_.accept(posed_);
+}
+
+template <class Ping>
+void PingIntake<Ping>::drop_returns_of(Sensor& sensor, Ping& ping) {
+  counts_.returns += num_returns(ping);
+  give_fan(sensor.fan, configured_, ping);
+  const DroppedReturns dropped = drop_returns(ping);
+  counts_.silent_returns += dropped.silent;
+  counts_.dropped_returns += dropped.out_of_bounds;
+  if (learns_fan(sensor.fan, ping))
+    sink_.report(described(ping) +
+                 ": beams are even in sine, not in angle; they are taken at their bearings");
 }
 
 /// Tells what a person should know of a ping that is accepted: another geometry, content that is frozen.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -357,6 +359,25 @@ TEST(ImageIntake, PosesImagesByTheSameRules) {
   intake.add(core::VehicleState{2 * kSecond, {2.0, 0.0, 0.0}, {0.0, 0.0}});
   ASSERT_EQ(north.size(), 1u);
   EXPECT_NEAR(north[0], 1.0, 1e-9);
+}
+
+// Table 1's outer beams, the 88 between them even in the sine: a message can only say the mean.
+TEST_F(ScanIntakeTest, BeamsThatAreEvenInSineAreFoundAndToldOnce) {
+  const double outer = std::sin(core::radians(44.5));
+  for (int i = 0; i < 8; ++i) {
+    core::SonarScan one = scan(i * kSecond, i);
+    for (const int beam : {10 + i, 40 + i})
+      one.returns.push_back({std::asin(outer * (2.0 * beam / 89.0 - 1.0)), 50.0 + i, 1.0});
+    state(i * kSecond);
+    intake_.add(one);
+  }
+  ASSERT_EQ(out_.size(), 8u);
+  EXPECT_FALSE(out_.front().scan.fan);
+  ASSERT_TRUE(out_.back().scan.fan);
+  EXPECT_NEAR(out_.back().scan.fan->place_of(out_.back().scan.returns[0].bearing), 17.0, 1e-6);
+  EXPECT_EQ(std::count_if(reports_.begin(), reports_.end(),
+                          [](const auto& line) { return line.find("even in sine") != std::string::npos; }),
+            1);
 }
 
 }  // namespace
