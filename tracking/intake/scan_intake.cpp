@@ -53,16 +53,20 @@ std::int64_t max_pose_gap(const core::SonarParams& configured) {
   return core::microseconds(configured.max_pose_gap);
 }
 
-/// A clock on which a message may be as late as it may be waited for.
-ClockGuardParams clock_of(const IntakeParams& params) {
+/// Scans of a slow sensor that may be missing before its next one is on another clock.
+constexpr double kMissing = 2.0;
+
+/// A clock on which a message may be as late as it may be waited for, and the next one a few periods away.
+ClockGuardParams clock_of(const IntakeParams& params, const core::SonarParams& configured) {
   ClockGuardParams clock = params.clock;
   clock.max_late = params.max_wait;
+  clock.max_step = std::max(clock.max_step, core::microseconds((1.0 + kMissing) * configured.scan_period));
   return clock;
 }
 
 /// The vehicle's states may always be as far apart as is interpolated across.
 ClockGuardParams state_clock_of(const IntakeParams& params, const core::SonarParams& configured) {
-  ClockGuardParams clock = clock_of(params);
+  ClockGuardParams clock = clock_of(params, configured);
   clock.max_leap = std::max(clock.max_leap, max_pose_gap(configured));
   return clock;
 }
@@ -145,7 +149,8 @@ typename PingIntake<Ping>::Sensor* PingIntake<Ping>::sensor_of(const Ping& ping)
   const auto found = sensors_.find(ping.sensor_id);
   if (found != sensors_.end()) return &found->second;
   if (sensors_.size() >= kMaxSensors) return nullptr;
-  return &sensors_.emplace(ping.sensor_id, Sensor{ClockGuard(clock_of(params_)), {}}).first->second;
+  return &sensors_.emplace(ping.sensor_id, Sensor{ClockGuard(clock_of(params_, configured_)), {}})
+              .first->second;
 }
 
 /// Keeps a suspect until others agree with it. The first of its kind replaces those that nothing agreed with.
