@@ -42,6 +42,9 @@ class Tracker {
   /// that take it for uniform. It costs some milliseconds.
   virtual std::optional<core::ClutterGrid> clutter_grid() const { return std::nullopt; }
 
+  /// Whether `explain_to` has an effect.
+  virtual bool explains() const { return false; }
+
   /// Sends every decision from now on to `log`. Trackers that keep no account of them ignore it.
   virtual void explain_to(const DecisionLog& /*log*/) {}
 

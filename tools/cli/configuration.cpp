@@ -129,6 +129,13 @@ void refuse_idle_clutter_map(const Options& options, const Configuration& config
                            ", which learns no clutter map; expected joint or none");
 }
 
+void refuse_idle_explanations(const Options& options, const Configuration& configuration) {
+  const tracking::TrackerParams& tracker = configuration.tracker;
+  if (options.explain && !tracking::make_tracker(tracker.name, tracker, configuration.sensor, 1)->explains())
+    throw core::InputError("--explain: has no effect on tracker " + tracker.name +
+                           ", which keeps no account of its decisions; expected joint or none");
+}
+
 /// The flag, or the file and key, that chose something.
 std::string source_of(const std::string& given, const char* flag, const Options& options, const char* key) {
   return given.empty() ? options.config + ": " + key : std::string(flag);
@@ -232,6 +239,7 @@ void refuse_idle_choices(const Options& options, const Configuration& configurat
   refuse_idle_parameters(options, configuration);
   refuse_idle_estimator(options, configuration);
   refuse_idle_clutter_map(options, configuration);
+  refuse_idle_explanations(options, configuration);
   if (configuration.tracker.report_all && takes_no_elements(configuration.tracker.name))
     throw core::InputError(options.config + ": output: min_existence: has no effect on tracker " +
                            configuration.tracker.name +

@@ -39,6 +39,7 @@ class JointTracker : public Tracker {
   std::optional<core::ClutterGrid> clutter_grid() const override {
     return state_.clutter.grid(state_.likelihood);
   }
+  bool explains() const override { return true; }
   void explain_to(const DecisionLog& log) override { state_.log = log; }
   std::int64_t next_id() const override { return state_.next_id(); }
   void set_next_id(std::int64_t id) override { state_.set_next_id(id); }
