@@ -380,5 +380,27 @@ TEST_F(ScanIntakeTest, BeamsThatAreEvenInSineAreFoundAndToldOnce) {
             1);
 }
 
+// A sonar that turns once in two minutes: a step of its own period is no new clock.
+TEST(SlowScans, FarApartAreOfOneClockWhereTheirPeriodIsStated) {
+  core::SonarParams sonar;
+  sonar.scan_period = 120.0;
+  int accepted = 0, resets = 0;
+  ScanIntake intake(
+      sonar, {[&](const core::PosedScan&) { ++accepted; }, [&] { ++resets; }, [](const std::string&) {}});
+  core::SonarScan scan;
+  scan.num_beams = 90;
+  scan.bearing_step = core::radians(1.0);
+  scan.max_range = 150.0;
+  for (int i = 0; i < 10; ++i) {
+    scan.utime = i * 120 * kSecond;
+    scan.sequence = i;
+    intake.add(core::VehicleState{scan.utime, {}, {0.0, 0.0}});
+    intake.add(scan);
+  }
+  intake.finish();
+  EXPECT_EQ(accepted, 10);
+  EXPECT_EQ(resets, 0);
+}
+
 }  // namespace
 }  // namespace lookout::tracking
