@@ -7,8 +7,10 @@ namespace lookout::core {
 SonarParams with_geometry_of(const SonarScan& scan, const SonarParams& params) {
   SonarParams result = params;
   result.num_beams = scan.num_beams;
-  result.first_bearing = scan.first_bearing;
-  result.bearing_step = scan.bearing_step;
+  // A message rounds the mean of uneven beams as its sender does; the table has one.
+  result.first_bearing = scan.fan ? scan.fan->centre(0) : scan.first_bearing;
+  result.bearing_step = scan.fan ? scan.fan->mean_step() : scan.bearing_step;
+  result.fan = scan.fan;
   result.max_range = scan.max_range;
   result.T_body_sonar = scan.T_body_sonar;
   return result;

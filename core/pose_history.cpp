@@ -8,6 +8,9 @@
 namespace lookout::core {
 namespace {
 
+// Of a slow sensor's vehicle a few states are many seconds, and its scans may wait for some of them.
+constexpr std::size_t kLeastStates = 16;
+
 mrpt::Clock::time_point mrpt_time(std::int64_t utime) {
   return mrpt::Clock::time_point(
       std::chrono::duration_cast<mrpt::Clock::duration>(std::chrono::microseconds(utime)));
@@ -43,7 +46,7 @@ void PoseHistory::add(const VehicleState& state) {
   const Pose2& pose = state.T_earth_body;
   path.insert(mrpt_time(state.utime), mrpt::math::TPose2D(pose.north, pose.east, wrap_to_pi(pose.heading)));
   const std::int64_t oldest_kept = *newest() - impl_->memory;
-  while (utime_of(path.begin()->first) < oldest_kept) path.erase(path.begin());
+  while (path.size() > kLeastStates && utime_of(path.begin()->first) < oldest_kept) path.erase(path.begin());
 }
 
 std::optional<Pose2> PoseHistory::at(std::int64_t utime) const {

@@ -18,7 +18,7 @@ struct VehicleState {
 
 /// The recent vehicle states, of which the pose at a scan's own time is interpolated (linear in north, east
 /// and in the shorter turn of heading). They may come in any order. Bounded memory: states much older than
-/// the newest are forgotten.
+/// the newest are forgotten, but for the newest few.
 class PoseHistory {
  public:
   static constexpr std::int64_t kMaxBracket = 2'000'000;  ///< Longest gap that is interpolated across [us].

@@ -1,7 +1,10 @@
 #include "core/sonar_params.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "core/beam_bearings.hpp"
 #include "core/beam_order.hpp"
 #include "core/files/csv.hpp"
 #include "core/files/yaml_reader.hpp"
@@ -29,18 +32,73 @@ constexpr Range kScanPeriods{Limits::kMinScanPeriod, Limits::kMaxScanPeriod};
 constexpr Range kPoseGaps{0.0, 600.0, true};
 constexpr Range kWaits{0.0, 60.0};
 
-void read_geometry(const YamlMap& map, SonarParams& params) {
+constexpr double kMostDegrees = 360.0;
+
+/// The table of `beam_bearings_deg` [rad], from port, of beams that are counted from starboard too.
+std::vector<double> read_table(const YamlMap& map) {
+  constexpr const char* kKey = "beam_bearings_deg";
+  std::vector<double> bearings = map.numbers(kKey);
+  if (bearings.size() < 2) map.fail(kKey, "expected at least two bearings");
+  if (map.has("first_bearing_deg") || map.has("bearing_step_deg"))
+    map.fail(kKey, "excludes first_bearing_deg and bearing_step_deg: give one of them");
+  if (bearings.size() > Limits::kMaxBeams) map.fail(kKey, "expected at most 30000 bearings");
+  if (map.integer("num_beams", static_cast<int>(bearings.size())) != static_cast<int>(bearings.size()))
+    map.fail("num_beams", "is not the number of beam_bearings_deg");
+  if (bearings.back() < bearings.front()) std::reverse(bearings.begin(), bearings.end());
+  for (double& bearing : bearings) {
+    if (!(std::abs(bearing) <= kMostDegrees)) map.fail(kKey, "expected bearings from -360 to 360");
+    bearing = radians(bearing);
+  }
+  if (!is_beam_table(bearings))
+    map.fail(kKey, "expected bearings that rise or fall, within a full turn with half a beam at either end");
+  return bearings;
+}
+
+void set_fan(std::vector<double> bearings, SonarParams& params) {
+  params.num_beams = static_cast<int>(bearings.size());
+  params.first_bearing = bearings.front();
+  params.bearing_step = mean_step(bearings);
+  params.fan = std::make_shared<const UnevenFan>(std::move(bearings));
+}
+
+void read_even_fan(const YamlMap& map, SonarParams& params) {
   params.num_beams = map.integer("num_beams", params.num_beams, {1, Limits::kMaxBeams});
-  read_degrees(map, "first_bearing_deg", params.first_bearing, {-360, 360});
-  read_degrees(map, "bearing_step_deg", params.bearing_step, {-360, 360});
+  read_degrees(map, "first_bearing_deg", params.first_bearing, {-kMostDegrees, kMostDegrees});
+  read_degrees(map, "bearing_step_deg", params.bearing_step, {-kMostDegrees, kMostDegrees});
   if (params.bearing_step == 0.0) map.fail("bearing_step_deg", "is 0, expected another number");
+  count_from_port(params);
+  // What a file says of an even fan holds over the uneven one of a file before it, unless it is its mean.
+  if (params.fan && !params.fan->fits(params.num_beams, params.first_bearing, params.bearing_step))
+    params.fan.reset();
+}
+
+/// Degrees that read back to the bit, where there are such.
+double degrees_of(double bearing) {
+  const double near = degrees(bearing);
+  for (const double candidate :
+       {near, std::nextafter(near, -kMostDegrees), std::nextafter(near, kMostDegrees)})
+    if (radians(candidate) == bearing) return candidate;
+  return near;
+}
+
+std::string fan_to_yaml(const UnevenFan& fan) {
+  std::string text = "beam_bearings_deg: [";
+  for (int beam = 0; beam < fan.num_beams(); ++beam)
+    text.append(beam > 0 ? ", " : "").append(shortest(degrees_of(fan.centre(beam))));
+  return text.append("]\n");
+}
+
+void read_geometry(const YamlMap& map, SonarParams& params) {
+  if (map.has("beam_bearings_deg"))
+    set_fan(read_table(map), params);
+  else
+    read_even_fan(map, params);
   params.max_range = map.number("max_range", params.max_range, kRanges);
   params.T_body_sonar.north = map.number("mount_x", params.T_body_sonar.north, kMounts);
   params.T_body_sonar.east = map.number("mount_y", params.T_body_sonar.east, kMounts);
   read_degrees(map, "mount_heading_deg", params.T_body_sonar.heading, {-360, 360});
   if (params.num_beams * std::abs(params.bearing_step) > 2.0 * std::numbers::pi * (1.0 + 1e-9))
     map.fail("num_beams", "num_beams x bearing_step_deg is above 360 degrees");
-  count_from_port(params);
 }
 
 }  // namespace
@@ -49,10 +107,20 @@ double SonarParams::bearing_sigma_or_default() const {
   return bearing_sigma.value_or(bearing_step / std::sqrt(12.0));
 }
 
-int SonarParams::beam_of(double bearing) const {
+double SonarParams::bearing_sigma_at(int beam) const {
+  const double sigma = bearing_sigma_or_default();
+  return fan ? sigma * fan->width(beam) / fan->mean_step() : sigma;
+}
+
+double SonarParams::place_of(double bearing) const {
+  if (fan) return fan->place_of(bearing) + 0.5;
   const double middle = 0.5 * (left_edge() + right_edge());
   const double offset = wrap_to_pi(bearing - middle) + middle - left_edge();
-  const double beam = std::floor(offset / bearing_step);
+  return offset / bearing_step;
+}
+
+int SonarParams::beam_of(double bearing) const {
+  const double beam = std::floor(place_of(bearing));
   return beam >= 0.0 && beam < num_beams ? static_cast<int>(beam) : -1;
 }
 
@@ -90,8 +158,12 @@ std::string to_yaml(const SonarParams& params) {
     text += key + ": " + shortest(value) + "\n";
   };
   line("num_beams", params.num_beams);
-  line("first_bearing_deg", degrees(params.first_bearing));
-  line("bearing_step_deg", degrees(params.bearing_step));
+  if (params.fan) {
+    text += fan_to_yaml(*params.fan);
+  } else {
+    line("first_bearing_deg", degrees(params.first_bearing));
+    line("bearing_step_deg", degrees(params.bearing_step));
+  }
   line("max_range", params.max_range);
   line("mount_x", params.T_body_sonar.north);
   line("mount_y", params.T_body_sonar.east);

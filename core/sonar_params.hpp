@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "core/frames.hpp"
+#include "core/uneven_fan.hpp"
 
 namespace lookout::core {
 
@@ -14,11 +16,13 @@ class YamlMap;
 struct SonarParams {
   int num_beams = 90;                     ///< >= 1.
   double first_bearing = radians(-44.5);  ///< Centre of beam 0 [rad].
-  double bearing_step = radians(1.0);     ///< Beam spacing [rad], > 0.
-  double max_range = 150.0;               ///< [m], > 0.
-  Pose2 T_body_sonar;                     ///< Mount: forward, starboard [m], heading [rad].
-  double range_sigma = 3.0;               ///< Standard deviation of a range [m], > 0.
-  std::optional<double> bearing_sigma;    ///< [rad], > 0; absent: see `bearing_sigma_or_default`.
+  double bearing_step = radians(1.0);     ///< Beam spacing [rad], > 0; of uneven beams the mean.
+  /// Uneven beams, as many as num_beams, the first at first_bearing; null: they are even.
+  std::shared_ptr<const UnevenFan> fan = nullptr;
+  double max_range = 150.0;             ///< [m], > 0.
+  Pose2 T_body_sonar;                   ///< Mount: forward, starboard [m], heading [rad].
+  double range_sigma = 3.0;             ///< Standard deviation of a range [m], > 0.
+  std::optional<double> bearing_sigma;  ///< [rad], > 0; absent: see `bearing_sigma_or_default`.
   double heading_sigma = 0.0;   ///< Standard deviation of the heading that a scan's pose states [rad], >= 0,
   double position_sigma = 0.0;  ///< and of its north and east [m], >= 0: errors of navigation.
   /// Distance at which two targets give two returns in half of the scans, nearer ones mostly one [m]; >= 0,
@@ -39,16 +43,24 @@ struct SonarParams {
 
   /// The given bearing sigma, or that of a uniform error over one beam, step / sqrt(12) [rad].
   double bearing_sigma_or_default() const;
+  /// Of a beam [rad]: of uneven beams that of one of the mean width, in proportion to the beam's own.
+  double bearing_sigma_at(int beam) const;
+  /// Width of a beam [rad].
+  double beam_width(int beam) const { return fan ? fan->width(beam) : bearing_step; }
+  /// Between the sector's edges [rad].
+  double sector() const { return fan ? fan->sector() : num_beams * bearing_step; }
   /// Whether false alarms are points of a Poisson law (any number of returns) rather than one return a beam.
   bool point_sensor() const { return clutter_per_scan.has_value(); }
   /// Bearings [rad] of the sector's two edges, half a step outside the outer beams' centres.
-  double left_edge() const { return first_bearing - 0.5 * bearing_step; }
+  double left_edge() const { return fan ? fan->left_edge() : first_bearing - 0.5 * bearing_step; }
   /// Bearing of the sector's right edge [rad].
-  double right_edge() const { return left_edge() + num_beams * bearing_step; }
+  double right_edge() const { return fan ? fan->right_edge() : left_edge() + num_beams * bearing_step; }
+  /// Where a bearing [rad] lies, in beams from the sector's left edge: .5 is the centre of beam 0.
+  double place_of(double bearing) const;
   /// The beam whose centre is nearest to `bearing`, or -1 outside the sector.
   int beam_of(double bearing) const;
   /// Centre of a beam [rad].
-  double beam_centre(int beam) const { return first_bearing + beam * bearing_step; }
+  double beam_centre(int beam) const { return fan ? fan->centre(beam) : first_bearing + beam * bearing_step; }
 };
 
 /// Overrides `params` with the keys that `map` holds, and calls map.finish().

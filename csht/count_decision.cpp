@@ -92,7 +92,8 @@ CountDecision::Rates CountDecision::rates(const Candidate& candidate, const Houg
   const double beams = static_cast<double>(window.scans().size()) * sonar.num_beams;
   const double p_detection = (candidate.support + 0.5) / (in_view + 1.0);
   const double p_false = std::min(others / beams, 1.0 - 1.0 / beams);
-  const double clutter_density = others / (beams * sonar.bearing_step * sonar.max_range);
+  const double step = sonar.sector() / sonar.num_beams;
+  const double clutter_density = others / (beams * (sonar.fan ? step : sonar.bearing_step) * sonar.max_range);
   return {std::log(p_detection / (2.0 * kPi * clutter_density)), std::log1p(-p_detection),
           std::log1p(-p_detection) - (sonar.point_sensor() ? 0.0 : std::log1p(-p_false))};
 }
@@ -105,7 +106,7 @@ double CountDecision::without_detection(const HoughWindow& window, std::size_t s
   const auto& sonar = window.sonar();
   if (sonar.point_sensor()) return rates.miss;
   const double term = beam_term(window, scan, point.beam, point.range, free, rates);
-  const double off = (point.bearing - sonar.beam_centre(point.beam)) / sonar.bearing_step;
+  const double off = (point.bearing - sonar.beam_centre(point.beam)) / sonar.beam_width(point.beam);
   const int neighbour = point.beam + (off > 0.0 ? 1 : -1);
   if (std::abs(off) < 0.5 - params_.edge || neighbour < 0 || neighbour >= num_beams_) return term;
   return std::max(term, beam_term(window, scan, neighbour, point.range, free, rates));
@@ -124,7 +125,7 @@ double CountDecision::beam_term(const HoughWindow& window, std::size_t scan, int
 
 /// ln of prior density x (2 pi)^2 sqrt(det C), the volume that the fit leaves to the state.
 double CountDecision::log_prior_volume(const Candidate& candidate, const core::SonarParams& sonar) const {
-  const double sector = std::min(sonar.num_beams * sonar.bearing_step, 2.0 * kPi);
+  const double sector = std::min(sonar.sector(), 2.0 * kPi);
   const double area = 0.5 * sector * sonar.max_range * sonar.max_range;
   return 0.5 * std::log(candidate.covariance.determinant()) + 2.0 * std::log(2.0 * kPi) +
          std::log(params_.targets_in_view / area) + log_velocity_density(candidate.state.tail<2>());

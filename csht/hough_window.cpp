@@ -57,7 +57,7 @@ void HoughWindow::forget_oldest() {
 }
 
 WindowDetection HoughWindow::with_accuracy(const core::Detection& detection, double time) const {
-  const double cross = detection.range * sonar_.bearing_sigma_or_default();
+  const double cross = detection.range * sonar_.bearing_sigma_at(detection.beam);
   WindowDetection result;
   result.scan = detection.scan;
   result.beam = detection.beam;

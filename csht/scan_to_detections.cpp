@@ -2,7 +2,19 @@
 
 #include <cmath>
 
+#include "core/uneven_fan.hpp"
+
 namespace lookout::csht {
+
+namespace {
+
+/// Number of the beam whose centre is nearest; of bearings beyond the fan that of a beam that is not there.
+int nearest_beam(const core::SonarScan& scan, double bearing) {
+  if (scan.fan) return static_cast<int>(std::floor(scan.fan->place_of(bearing) + 0.5));
+  return static_cast<int>(std::lround((bearing - scan.first_bearing) / scan.bearing_step));
+}
+
+}  // namespace
 
 int scan_to_detections(const core::PosedScan& posed, int scan_index,
                        std::vector<core::Detection>& detections) {
@@ -16,8 +28,7 @@ int scan_to_detections(const core::PosedScan& posed, int scan_index,
     core::Detection detection;
     detection.utime = scan.utime;
     detection.scan = scan_index;
-    detection.beam =
-        static_cast<int>(std::lround((sonar_return.bearing - scan.first_bearing) / scan.bearing_step));
+    detection.beam = nearest_beam(scan, sonar_return.bearing);
     detection.range = sonar_return.range;
     detection.bearing = sonar_return.bearing;
     detection.azimuth = core::wrap_to_pi(posed.T_earth_sonar.heading + sonar_return.bearing);

@@ -51,6 +51,7 @@ SonarScan make_scan(std::int64_t utime, const Numbers& bearings, const Numbers& 
                  .bearing_step = params.bearing_step,
                  .max_range = params.max_range,
                  .num_beams = params.num_beams,
+                 .fan = params.fan,
                  .returns = {}};
   const py::ssize_t size = vector_of(bearings, "bearings", -1).size();
   vector_of(ranges, "ranges", size);

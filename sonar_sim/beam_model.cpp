@@ -11,7 +11,8 @@ std::vector<BeamTarget> visible_targets(const Ping& ping, const core::GroundTrut
   std::vector<BeamTarget> targets;
   for (std::size_t i = 0; i < truth.targets.size(); ++i) {
     const auto point = core::observe(ping.params, ping.T_earth_sonar, truth.targets[i].position);
-    if (point.visible()) targets.push_back({ping.fan.beam_of(point.bearing), point.range, point.bearing, i});
+    if (point.visible())
+      targets.push_back({ping.params.beam_of(point.bearing), point.range, point.bearing, i});
   }
   std::sort(targets.begin(), targets.end(), [](const BeamTarget& a, const BeamTarget& b) {
     return std::tie(a.beam, a.range) < std::tie(b.beam, b.range);

@@ -25,7 +25,7 @@ double draw_clutter_range(const Ping& ping, Random& random) {
 }
 
 BeamReturn draw_false_alarm(const Ping& ping, int beam, Random& random) {
-  return {beam, {ping.fan.centre(beam), draw_clutter_range(ping, random), 1.0}};
+  return {beam, {ping.params.beam_centre(beam), draw_clutter_range(ping, random), 1.0}};
 }
 
 /// The beam of each slot that no target owns.
@@ -107,7 +107,7 @@ std::vector<BeamReturn> draw_point_clutter(const Ping& ping, Random& random) {
   std::vector<BeamReturn> alarms;
   for (int left = random.poisson(*params.clutter_per_scan); left > 0; --left) {
     const double bearing = core::wrap_to_pi(random.uniform(params.left_edge(), params.right_edge()));
-    alarms.push_back({ping.fan.beam_of(bearing), {bearing, draw_clutter_range(ping, random), 1.0}});
+    alarms.push_back({ping.params.beam_of(bearing), {bearing, draw_clutter_range(ping, random), 1.0}});
   }
   return alarms;
 }

@@ -39,14 +39,14 @@ void check(const ImagePlan& plan) {
                 plan.reverberation_level);
 }
 
-core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& plan,
-                             const std::vector<double>& beam_bearings) {
+core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& plan) {
   check(plan);
   core::SonarImage image;
   image.T_body_sonar = sonar.T_body_sonar;
-  image.bearings = beam_bearings.empty()
-                       ? core::even_bearings(sonar.first_bearing, sonar.bearing_step, sonar.num_beams)
-                       : beam_bearings;
+  if (sonar.fan)
+    image.bearings.assign(sonar.fan->bearings().begin(), sonar.fan->bearings().end());
+  else
+    image.bearings = core::even_bearings(sonar.first_bearing, sonar.bearing_step, sonar.num_beams);
   image.first_range = plan.first_range;
   image.range_step = plan.range_step;
   image.num_bins = plan.num_bins;

@@ -49,10 +49,7 @@ struct ImageTarget {
 };
 
 /// An image of the right size without intensities. @throws as `check`.
-/// @param beam_bearings centres of uneven beams [rad]; empty: those of `sonar`,
-/// even.
-core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& plan,
-                             const std::vector<double>& beam_bearings = {});
+core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& plan);
 
 /// Amplitude share of a target in beams that are off by `bearing` [rad]; 1 at
 /// 0. With u = bearing / first null, sinc(u) of a uniform aperture, or sinc(2

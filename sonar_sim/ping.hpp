@@ -6,7 +6,6 @@
 #include "core/frames.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
-#include "sonar_sim/beam_fan.hpp"
 
 namespace lookout::sonar_sim {
 
@@ -18,9 +17,7 @@ enum class ClutterReading {
 
 /// What holds while the echoes of one ping come back.
 struct Ping {
-  core::SonarParams params;  ///< With the range setting and the false alarms of its time.
-  /// Where the beams look.
-  BeamFan fan{params};
+  core::SonarParams params;       ///< With the range setting and the false alarms of its time.
   core::Pose2 T_earth_sonar;      ///< True pose.
   double echo_range_sigma = 3.0;  ///< Of an echo's range [m].
   bool quantise_bearing = true;   ///< Report an echo at its beam's centre; off: at its own bearing.
@@ -32,7 +29,7 @@ struct Ping {
   bool in_range(double range) const { return range > 0.0 && range <= params.max_range; }
   /// The bearing that a return of a beam states [rad].
   double reported_bearing(int beam, double bearing) const {
-    return quantise_bearing && !params.point_sensor() ? fan.centre(beam) : bearing;
+    return quantise_bearing && !params.point_sensor() ? params.beam_centre(beam) : bearing;
   }
 };
 

@@ -88,26 +88,6 @@ VehiclePlan read_vehicle(const YamlMap& map) {
   return vehicle;
 }
 
-/// Uneven beams: their number, the first and the mean step become the params'.
-void read_beam_bearings(const YamlMap& map, SonarPlan& sonar) {
-  if (!map.has("beam_bearings_deg")) return;
-  std::vector<double> bearings = map.numbers("beam_bearings_deg");
-  if (bearings.size() < 2) map.fail("beam_bearings_deg", "expected at least two bearings");
-  if (map.has("first_bearing_deg") || map.has("bearing_step_deg"))
-    map.fail("beam_bearings_deg", "excludes first_bearing_deg and bearing_step_deg: give one of them");
-  if (map.integer("num_beams", static_cast<int>(bearings.size())) != static_cast<int>(bearings.size()))
-    map.fail("num_beams", "is not the number of beam_bearings_deg");
-  for (std::size_t beam = 0; beam < bearings.size(); ++beam) {
-    if (std::abs(bearings[beam]) > 360.0 || (beam > 0 && bearings[beam] <= bearings[beam - 1]))
-      map.fail("beam_bearings_deg", "expected bearings that increase, from -360 to 360");
-    sonar.beam_bearings.push_back(core::radians(bearings[beam]));
-  }
-  core::SonarParams& params = sonar.params;
-  params.num_beams = static_cast<int>(bearings.size());
-  params.first_bearing = sonar.beam_bearings.front();
-  params.bearing_step = core::radians((bearings.back() - bearings.front()) / (params.num_beams - 1));
-}
-
 std::vector<RangeSetting> read_range_settings(const YamlMap& map) {
   std::vector<RangeSetting> settings;
   for (const auto& entry : map.maps("range_settings")) {
@@ -157,7 +137,6 @@ SonarPlan read_sonar(const YamlMap& map, const SeaSection& sea) {
   sonar.quantise_bearing = map.flag("quantise_bearing", true);
   if (map.has("sensor_id")) sonar.sensor_id = map.integer("sensor_id", 0, {-1e9, 1e9});
   sonar.first_scan = map.number("first_scan", 0.0, kNotNegative);
-  read_beam_bearings(map, sonar);
   sonar.range_settings = read_range_settings(map);
   read_returns_per_beam(map, sonar);
   const auto own_sea = map.map("sea");

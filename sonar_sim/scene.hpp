@@ -32,7 +32,6 @@ struct SonarPlan {
   bool quantise_bearing = true;           ///< Report a target at its beam's centre; off: at its true bearing.
   std::optional<std::int32_t> sensor_id;  ///< Absent: the vehicle's node_id, counted up over its sonars.
   double first_scan = 0.0;                ///< Time of the first ping [s], >= 0.
-  std::vector<double> beam_bearings;      ///< Centres of uneven beams [rad], see BeamFan; empty: even.
   std::vector<RangeSetting> range_settings;  ///< In order of time; params.max_range holds before the first.
   int returns_per_beam = 1;                  ///< Most returns of one beam, >= 1.
   Keep keep = Keep::precedence;              ///< Which those are.

@@ -18,6 +18,7 @@ core::SonarScan empty_scan(const Ping& ping) {
   scan.bearing_step = ping.params.bearing_step;
   scan.max_range = ping.params.max_range;
   scan.num_beams = ping.params.num_beams;
+  scan.fan = ping.params.fan;
   return scan;
 }
 
@@ -57,13 +58,8 @@ std::optional<core::SonarScan> SimulatedSonar::ping(const core::GroundTruth& tru
 Ping SimulatedSonar::ping_at(double time, const core::Pose2& T_earth_sonar) const {
   core::SonarParams params = params_at(plan_, time);
   apply_bursts(plan_.sea.bursts, time, params);
-  return {params,
-          BeamFan(params, plan_.beam_bearings),
-          T_earth_sonar,
-          plan_.echo_range_sigma,
-          plan_.quantise_bearing,
-          plan_.clutter,
-          plan_.returns_per_beam};
+  return {params,        T_earth_sonar,         plan_.echo_range_sigma, plan_.quantise_bearing,
+          plan_.clutter, plan_.returns_per_beam};
 }
 
 std::vector<BeamReturn> SimulatedSonar::listen(const Ping& ping, const core::GroundTruth& truth) {

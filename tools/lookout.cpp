@@ -4,6 +4,7 @@
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "core/input_error.hpp"
 #include "tools/cli/options.hpp"
@@ -28,6 +29,15 @@ int report(const std::string& message, int status) {
   return status;
 }
 
+/// A flag's text that is no number, where the library says `Could not convert: --order = abc`.
+std::string not_a_number(std::string message) {
+  constexpr std::string_view kBegin = "Could not convert: ", kBetween = " = ";
+  const std::size_t between = message.find(kBetween);
+  if (!message.starts_with(kBegin) || between == std::string::npos) return message;
+  const std::string flag = message.substr(kBegin.size(), between - kBegin.size());
+  return flag + ": got `" + message.substr(between + kBetween.size()) + "`, expected a number";
+}
+
 int run(int argc, char** argv) {
   Options options;
   CLI::App app("Lookout: what moves around an underwater vehicle, from the returns of its sonar.", "lookout");
@@ -48,6 +58,8 @@ int run(int argc, char** argv) {
     return app.exit(help);
   } catch (const CLI::CallForVersion& version) {
     return app.exit(version);
+  } catch (const CLI::ConversionError& error) {
+    return report(not_a_number(error.what()), kBadInput);
   } catch (const CLI::ParseError& error) {
     return report(error.what(), kBadInput);
   }

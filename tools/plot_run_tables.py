@@ -62,13 +62,19 @@ class Table:
 
 
 def read_sonar(path):
-    """The plain `key: number` lines of sonar.yaml."""
+    """The plain `key: number` lines of sonar.yaml; of uneven beams the first and the mean step."""
     figures = {}
     if path.is_file():
         for line in path.read_text(errors="replace").splitlines():
             found = re.match(r"\s*(\w+)\s*:\s*(-?[\d.eE+-]+)\s*(#.*)?$", line)
             if found and math.isfinite(to_float(found.group(2))):
                 figures[found.group(1)] = float(found.group(2))
+            table = re.match(r"\s*beam_bearings_deg\s*:\s*\[([^\]]*)\]", line)
+            beams = [to_float(text) for text in table.group(1).split(",")] if table else []
+            if len(beams) > 1 and all(map(math.isfinite, beams)):
+                figures["num_beams"] = len(beams)
+                figures["first_bearing_deg"] = min(beams)
+                figures["bearing_step_deg"] = (max(beams) - min(beams)) / (len(beams) - 1)
     return figures
 
 

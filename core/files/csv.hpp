@@ -16,8 +16,9 @@ std::string shortest(double value);
 
 /// A CSV file read strictly: a header line that names the columns, then rows of as many fields. Read as
 /// spreadsheets and scripts write it: with a byte order mark, with any line ends, with quotes, with blanks
-/// around fields, with a `#` before the header, and with semicolons or tabs in place of commas, numbers then
-/// with a decimal point or comma.
+/// around fields, with a `#` before the header and remarks behind a `#`, with empty rows and empty fields
+/// behind the last, with names in capitals, and with semicolons, tabs or bars in place of commas, numbers
+/// then with a decimal point or comma.
 class CsvTable {
  public:
   /// Reads the whole file. Columns of `required` must be in the header; others may be.
@@ -48,8 +49,9 @@ class CsvTable {
   [[noreturn]] void fail(std::size_t row, std::string_view column, const std::string& message) const;
 
  private:
-  void read(std::string_view content);
-  void read_header(std::string_view line, std::size_t number);
+  void read(std::string_view content, std::span<const std::string_view> required);
+  void read_row(std::string_view line, std::size_t number);
+  void read_header(std::string_view line, std::size_t number, std::span<const std::string_view> required);
   void require_columns(std::span<const std::string_view> required) const;
   std::vector<std::string> split(std::string_view line, std::size_t number) const;
   std::optional<std::size_t> find(std::string_view column) const;

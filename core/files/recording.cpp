@@ -235,6 +235,10 @@ Recording read_recording(const std::string& directory, const SonarParams& defaul
   auto states = recording.is_fixed ? at_the_origin(read) : read_vehicle(file("vehicle.csv"));
   auto truth = there("truth.csv") ? read_clocked_truth(file("truth.csv")) : Clocked<GroundTruth>();
   recording.new_clocks = starts_of(read, states.clocks, truth.clocks);
+  if (const auto merged = merged_scans(read.scans, recording.params.has_value());
+      merged && !recording.params.value_or(defaults).point_sensor())
+    recording.notes.push_back(file("scans.csv") + ":" + std::to_string(read.lines[merged->first]) + ": " +
+                              merged->what);
   recording.scans = std::move(read.scans);
   recording.vehicle = std::move(states.groups);
   recording.truth = std::move(truth.groups);

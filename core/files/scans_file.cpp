@@ -41,6 +41,9 @@ class Reader {
   void read(std::size_t row) {
     const std::size_t before = read_.scans.size();
     SonarScan& scan = scan_of(row);
+    if (integer_or<std::int64_t>(table_, row, "sequence", scan.sequence) != scan.sequence)
+      table_.fail(row, "sequence",
+                  "is another than that of the scan before, at one time; were the times cut short?");
     const bool blank = table_.empty(row, bearing_.name) && table_.empty(row, "range_m");
     stamps_.add(row, scan.utime, blank, read_.scans.size() != before);
     if (blank) return;
@@ -65,6 +68,7 @@ class Reader {
     const int clock = clock_or_first(table_, row, read_.clocks.empty() ? 0 : read_.clocks.back());
     SonarScan& scan = read_.scans.emplace_back();
     read_.clocks.push_back(clock);
+    read_.lines.push_back(table_.line(row));
     scan.utime = table_.time(row, "time_s");
     scan.sensor_id = sensor;
     const std::int64_t counted = next_sequence_[sensor]++;

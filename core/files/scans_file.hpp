@@ -12,8 +12,9 @@ namespace lookout::core {
 
 /// What scans.csv holds.
 struct ReadScans {
-  std::vector<SonarScan> scans;  ///< In order of clock and time.
-  std::vector<int> clocks;       ///< Of each scan.
+  std::vector<SonarScan> scans;    ///< In order of clock and time.
+  std::vector<int> clocks;         ///< Of each scan.
+  std::vector<std::size_t> lines;  ///< The first of each scan in the file.
 };
 
 /// @param notes gets what a reader should be told, a line each.

@@ -19,6 +19,9 @@ constexpr double kCoarseDigits = 1.0;
 /// Scans so many periods apart, all of them, have stamps that were cut.
 constexpr double kPeriodsPerStamp = 1.9;
 constexpr std::size_t kFewestScans = 3;
+/// Stamps that were cut are whole multiples of this at least [us]; a driver's own clock is finer.
+constexpr std::int64_t kCoarseUnit = 500;
+constexpr double kSameBearing = 1e-9;  // [rad]
 
 constexpr const char* kCure = "were the times cut short? Export them in full, with six decimals";
 
@@ -27,6 +30,31 @@ bool is_float_time(std::int64_t utime) {
   const auto rounded = static_cast<float>(time);
   const float next = std::nextafter(rounded, std::numeric_limits<float>::infinity());
   return next - rounded >= kCoarseFloat && static_cast<double>(rounded) == time;
+}
+
+/// What all times are whole multiples of, from the first on [us].
+std::int64_t unit_of(const std::vector<SonarScan>& scans) {
+  std::int64_t unit = 0;
+  for (std::size_t i = 1; i < scans.size(); ++i) unit = std::gcd(unit, scans[i].utime - scans[i - 1].utime);
+  return unit;
+}
+
+bool in_order_of_bearing(const SonarScan& scan) {
+  const auto before = [](const SonarReturn& a, const SonarReturn& b) {
+    return a.bearing < b.bearing || (a.bearing == b.bearing && a.range < b.range);
+  };
+  return std::is_sorted(scan.returns.begin(), scan.returns.end(), before) ||
+         std::is_sorted(scan.returns.rbegin(), scan.returns.rend(), before);
+}
+
+bool holds_a_beam_twice(const SonarScan& scan, bool knows_beams) {
+  std::vector<double> beams;
+  for (const SonarReturn& one : scan.returns)
+    beams.push_back(knows_beams ? std::round((one.bearing - scan.first_bearing) / scan.bearing_step)
+                                : one.bearing);
+  std::sort(beams.begin(), beams.end());
+  return std::adjacent_find(beams.begin(), beams.end(),
+                            [](double a, double b) { return b - a <= kSameBearing; }) != beams.end();
 }
 
 bool lost_digits(const std::string& text) {
@@ -92,11 +120,24 @@ void ReturnChecks::finish(std::vector<std::string>& notes) const {
 std::optional<std::string> coarse_stamps(const std::vector<SonarScan>& scans,
                                          std::optional<double> stated_period) {
   if (!stated_period || scans.size() < kFewestScans) return std::nullopt;
-  std::int64_t unit = 0;
-  for (std::size_t i = 1; i < scans.size(); ++i) unit = std::gcd(unit, scans[i].utime - scans[i - 1].utime);
+  const std::int64_t unit = unit_of(scans);
   if (seconds(unit) < kPeriodsPerStamp * *stated_period) return std::nullopt;
   return "times are whole multiples of " + time_text(unit) + " s, but sonar.yaml states scan_period " +
          shortest(*stated_period) + " s; if one time holds several scans, " + kCure;
+}
+
+std::optional<MergedScans> merged_scans(const std::vector<SonarScan>& scans, bool knows_beams) {
+  if (scans.size() < kFewestScans || unit_of(scans) < kCoarseUnit) return std::nullopt;
+  std::size_t several = 0, twice = 0, first = 0;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    several += scans[i].returns.size() > 1 ? 1 : 0;
+    if (in_order_of_bearing(scans[i]) || !holds_a_beam_twice(scans[i], knows_beams)) continue;
+    if (twice++ == 0) first = i;
+  }
+  if (twice < kFewestScans || 2 * twice < several) return std::nullopt;
+  return MergedScans{
+      first, std::to_string(twice) + " of " + std::to_string(scans.size()) +
+                 " times hold two returns of one beam, not in order: if they are several scans, " + kCure};
 }
 
 }  // namespace lookout::core

@@ -72,4 +72,15 @@ class ReturnChecks {
 std::optional<std::string> coarse_stamps(const std::vector<SonarScan>& scans,
                                          std::optional<double> stated_period);
 
+/// Scans that look like several of one time.
+struct MergedScans {
+  std::size_t first = 0;  ///< Index of the first of them.
+  std::string what;       ///< A line.
+};
+
+/// Of a sonar of one return a beam: scans with two returns of one beam that do not stand in order of bearing,
+/// at times on a coarse grid. Nothing where they are few.
+/// @param knows_beams the scans' geometry is the sonar's; otherwise a beam is a bearing.
+std::optional<MergedScans> merged_scans(const std::vector<SonarScan>& scans, bool knows_beams);
+
 }  // namespace lookout::core

@@ -40,6 +40,9 @@ std::string read_bytes(const std::string& path, std::string_view expected) {
 
 std::string read_text_file(const std::string& path, std::string_view expected) {
   std::string text = read_bytes(path, expected);
+  using namespace std::string_view_literals;
+  if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv))
+    throw InputError(path + ": is UTF-32 text; save it as UTF-8 (iconv -f UTF-32 -t UTF-8)");
   if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
     throw InputError(path + ": is UTF-16 text; save it as UTF-8 (iconv -f UTF-16 -t UTF-8)");
   if (text.find('\0') != std::string::npos)

@@ -41,9 +41,16 @@ std::string joined(const std::vector<std::string>& words) {
 
 /// What yaml-cpp says, which may hold the letter that it stumbled over: a line's end, any byte.
 std::string one_line(std::string text) {
+  if (text == YAML::ErrorMsg::BAD_FILE) return "is nested too deep";  // That is all that it means by it here.
   for (char& letter : text)
     if (letter < ' ' || letter > '~') letter = '?';
   return text;
+}
+
+/// What a person wrote in place of a number.
+std::string what_stands(const YAML::Node& value) {
+  if (value.IsScalar()) return shown(value.Scalar());
+  return value.IsNull() ? "nothing" : "a list or mapping";
 }
 
 constexpr const char* kMergeKey = "<<";
@@ -216,8 +223,7 @@ std::optional<double> YamlMap::optional_number(const std::string& key, const Ran
   if (!value) return std::nullopt;
   double number = 0.0;
   if (!value.IsScalar() || !YAML::convert<double>::decode(value, number) || !contains(range, number))
-    fail(key, "got " + (value.IsScalar() ? shown(value.Scalar()) : "a list or mapping") + ", expected " +
-                  describe(range));
+    fail(key, "got " + what_stands(value) + ", expected " + describe(range));
   return number;
 }
 

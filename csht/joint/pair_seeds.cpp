@@ -18,6 +18,12 @@ constexpr double kMembershipGate = 16.0;  // Squared distance in sigmas beyond w
 constexpr double kWeakPosition = 1e4;     // Variance of the prior on position [m^2]: keeps the fit solvable.
 constexpr std::size_t kReserve = 8192;    // Pairs for which memory is kept from the start.
 
+// Of what a beam heard: of uneven beams in proportion to its width.
+double bearing_sigma_at(const ScanTable& scan, int beam, const SensorFigures& figures) {
+  if (!scan.uneven()) return figures.bearing_sigma;
+  return figures.bearing_sigma * scan.fan->width(beam) / scan.fan->mean_step();
+}
+
 }  // namespace
 
 void LineFit::add(const Eigen::Vector2d& position, double seconds, double azimuth, double range_variance,
@@ -245,13 +251,14 @@ void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eig
   const double range = std::hypot(dn, de);
   const double azimuth = std::atan2(de, dn);
   const auto add = [&](int claim_index, double return_range, double return_azimuth, float background) {
+    const double bearing_sigma = bearing_sigma_at(scan, claim_index, figures);
     const double dr = (return_range - range) / figures.range_sigma;
-    const double db = core::wrap_to_pi(return_azimuth - azimuth) / figures.bearing_sigma;
+    const double db = core::wrap_to_pi(return_azimuth - azimuth) / bearing_sigma;
     const double square = dr * dr + db * db;
     if (square > kMembershipGate || likelihood.explained(age, claim_index, return_range) >= params_.explained)
       return;
     const double own = static_cast<double>(scan.gain * background) * std::exp(-0.5 * square);
-    const double cross = return_range * figures.bearing_sigma;
+    const double cross = return_range * bearing_sigma;
     fit.add({scan.T_earth_sonar.north + return_range * std::cos(return_azimuth),
              scan.T_earth_sonar.east + return_range * std::sin(return_azimuth)},
             seconds, return_azimuth, figures.range_sigma * figures.range_sigma, cross * cross,
@@ -268,7 +275,9 @@ void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eig
   for (int b = std::max(0, beam - reach); b <= std::min(scan.num_beams - 1, beam + reach); ++b) {
     const float range_there = scan.range[static_cast<std::size_t>(b) + 1];
     if (range_there > 0.0F)
-      add(b, static_cast<double>(range_there), first_azimuth + b * scan.bearing_step,
+      add(b, static_cast<double>(range_there),
+          scan.uneven() ? scan.axis + scan.bearing_of_beams(b - 0.5 * (scan.num_beams - 1))
+                        : first_azimuth + b * scan.bearing_step,
           scan.background[static_cast<std::size_t>(b) + 1]);
   }
 }

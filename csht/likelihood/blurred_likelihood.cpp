@@ -57,6 +57,19 @@ void start(const ScanTable& scan, const float* range, const float* bearing, std:
   }
 }
 
+// An error of the pose goes over more of the narrow beams than of the wide ones.
+void spread_by_width(const ScanTable& scan, std::size_t count, float softness, Block& b) {
+  const double middle = 0.5 * scan.num_beams + 1.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto wider =
+        static_cast<float>(scan.bearing_step / scan.width_at(static_cast<double>(b.beam[i]) - middle));
+    const float lever = scan.blur_position / std::max(b.range[i], kLeastRange);
+    const float heading = scan.blur_heading;
+    b.steepness[i] =
+        kLogisticSlope / std::sqrt(wider * wider * (heading * heading + lever * lever) + softness);
+  }
+}
+
 // The slot for any beam number: around the whole circle the numbers repeat; outside a sector it is the first
 // or the last.
 int slot_of(const ScanTable& scan, int slot) {
@@ -123,10 +136,12 @@ Placed place(const ScanTable& scan, const Eigen::Vector2d& p_earth, const Tolera
   const double dn = p_earth.x() - scan.T_earth_sonar.north, de = p_earth.y() - scan.T_earth_sonar.east;
   const double range = std::hypot(dn, de);
   const double bearing = core::wrap_to_pi(std::atan2(de, dn) - scan.axis);
-  const double beam = bearing / scan.bearing_step + 0.5 * scan.num_beams + 1.0;
+  const double from_middle = scan.beams_from_middle(bearing);
+  const double beam = from_middle + 0.5 * scan.num_beams + 1.0;
+  const double wider = scan.bearing_step / scan.width_at(from_middle);
   const double lever =
-      static_cast<double>(scan.blur_position) / std::max(range, static_cast<double>(kLeastRange));
-  const auto heading = static_cast<double>(scan.blur_heading);
+      wider * static_cast<double>(scan.blur_position) / std::max(range, static_cast<double>(kLeastRange));
+  const auto heading = wider * static_cast<double>(scan.blur_heading);
   return {range, std::clamp(beam, -1.0 * scan.blur_reach, scan.num_beams + 2.0 + scan.blur_reach),
           std::sqrt(heading * heading + lever * lever + static_cast<double>(soft_variance(tolerance)))};
 }
@@ -173,6 +188,7 @@ void find_blurred_ratios(const ScanTable& scan, const BeamMask* mask, std::span<
   block.inverse_sigma = scan.inverse_sigma * scale;
   block.loses = find_lost_shares(static_cast<float>(scan.max_range), block.inverse_sigma, range, block.lost);
   start(scan, range.data(), bearing.data(), count, soft_variance(tolerance), block);
+  if (scan.uneven()) spread_by_width(scan, count, soft_variance(tolerance), block);
   for (int k = -scan.blur_reach; k <= scan.blur_reach; ++k) {
     const bool last = k == scan.blur_reach;
     if (mask == nullptr) {

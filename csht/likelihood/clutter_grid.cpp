@@ -34,6 +34,13 @@ std::int8_t decibels(double background) {
   return static_cast<std::int8_t>(std::clamp(std::round(-kBel * std::log10(background)), 0.0, kMost));
 }
 
+/// Share of the fan's bearings to port of a place that many beams from its middle: the cells are even.
+double bearing_share(double beam, const ScanTable& scan) {
+  if (!scan.uneven()) return beam / scan.num_beams + 0.5;
+  const double from_edge = scan.bearing_of_beams(beam) + 0.5 * scan.num_beams * scan.bearing_step;
+  return from_edge / (scan.num_beams * scan.bearing_step);
+}
+
 int cell_of(double share, int cells) {
   return std::clamp(static_cast<int>(share * cells), 0, cells - 1);
 }
@@ -43,7 +50,7 @@ int cell_of(double share, int cells) {
 core::ClutterGrid clutter_grid(const ClutterMap& map, const ScanTable& newest, double rate) {
   core::ClutterGrid grid = empty_grid(newest);
   for (const auto& [beam, range, background] : map.places(newest, rate, kMostReturns)) {
-    const int row = cell_of(beam / newest.num_beams + 0.5, grid.num_bearings);
+    const int row = cell_of(bearing_share(beam, newest), grid.num_bearings);
     const int column = cell_of(range / newest.max_range, grid.num_ranges);
     std::int8_t& cell = grid.density[cell_at(grid, row, column)];
     cell = std::max(cell, decibels(background));

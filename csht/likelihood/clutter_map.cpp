@@ -106,7 +106,7 @@ void ClutterMap::reserve() {
 }
 
 ClutterMap::Place ClutterMap::place_of(const ScanTable& scan, const core::Detection& detection) {
-  return {detection.p_earth, core::wrap_to_pi(detection.azimuth - scan.axis) / scan.bearing_step,
+  return {detection.p_earth, scan.beams_from_middle(core::wrap_to_pi(detection.azimuth - scan.axis)),
           detection.range};
 }
 
@@ -203,13 +203,13 @@ void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& b
 
 ClutterMap::Place ClutterMap::place_in_earth(const ScanTable& scan, const Eigen::Vector2d& p_earth) {
   const Eigen::Vector2d from = p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
-  return {p_earth, core::wrap_to_pi(std::atan2(from.y(), from.x()) - scan.axis) / scan.bearing_step,
+  return {p_earth, scan.beams_from_middle(core::wrap_to_pi(std::atan2(from.y(), from.x()) - scan.axis)),
           from.norm()};
 }
 
 ClutterMap::Place ClutterMap::place_in_sonar(const ScanTable& scan, const BinnedPoint& point) const {
   const double beam = static_cast<double>(point.x), range = static_cast<double>(point.y) * range_reach_;
-  const double azimuth = scan.axis + beam * scan.bearing_step;
+  const double azimuth = scan.axis + scan.bearing_of_beams(beam);
   return {{scan.T_earth_sonar.north + range * std::cos(azimuth),
            scan.T_earth_sonar.east + range * std::sin(azimuth)},
           beam,
@@ -292,7 +292,7 @@ Excess ClutterMap::earth_excess(const ScanTable& scan, const Place& place, doubl
   const Eigen::Vector2d along =
       (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
   const double cross_reach =
-      std::max(params_.earth_beams * scan.bearing_step * place.range, 0.25 * range_reach_);
+      std::max(params_.earth_beams * scan.width_at(place.beam) * place.range, 0.25 * range_reach_);
   const double box_north = std::abs(along.x()) * range_reach_ + std::abs(along.y()) * cross_reach;
   const double box_east = std::abs(along.y()) * range_reach_ + std::abs(along.x()) * cross_reach;
   double count = 0.0;
@@ -304,7 +304,7 @@ Excess ClutterMap::earth_excess(const ScanTable& scan, const Place& place, doubl
              triangle((de * along.x() - dn * along.y()) / cross_reach);
   });
   if (count <= 0.0) return {};
-  const double beams = cross_reach / (scan.bearing_step * place.range);
+  const double beams = cross_reach / (scan.width_at(place.beam) * place.range);
   const double per_look = rate / scan.num_beams * beams * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
   return excess(scale * count, scale * views_of(scan, place) * per_look, earth_prior());
@@ -336,7 +336,7 @@ double ClutterMap::clear_around(const ScanTable& scan, const Place& place, doubl
   });
   const Eigen::Vector2d along =
       (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
-  const double beam = scan.bearing_step * place.range;
+  const double beam = scan.width_at(place.beam) * place.range;
   const double box = std::hypot(kFrameBeams * beam, kFrameReaches * range_reach_);
   earth_.visit(place.p_earth.x(), place.p_earth.y(), box, box, [&](const BinnedPoint& p) {
     if (!counts(p.look)) return;

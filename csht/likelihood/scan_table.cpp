@@ -89,7 +89,8 @@ void set_blur(const SensorFigures& figures, ScanTable& table) {
   const bool exact = table.clutter == ClutterModel::point || (sigma <= 0.0 && figures.position_sigma <= 0.0);
   table.blur_heading = static_cast<float>(sigma / table.bearing_step);
   table.blur_position = static_cast<float>(figures.position_sigma / table.bearing_step);
-  const double heading = kBlurSigmas * sigma / table.bearing_step;
+  const double narrowest = table.uneven() ? table.fan->narrowest() : table.bearing_step;
+  const double heading = kBlurSigmas * sigma / narrowest;
   table.blur_reach = exact ? 0 : std::clamp(static_cast<int>(std::ceil(heading)), 1, kMostBlurReach);
 }
 
@@ -124,7 +125,7 @@ void fill_slots(ScanTable& table) {
 
 int fill_scan_table(const core::PosedScan& posed, ScanTable& table) {
   const core::SonarScan& scan = posed.scan;
-  const double sector = scan.num_beams * scan.bearing_step;
+  const double sector = scan.fan ? scan.fan->sector() : scan.num_beams * scan.bearing_step;
   table.utime = scan.utime;
   table.T_earth_sonar = posed.T_earth_sonar;
   table.heading_error.reset();
@@ -132,6 +133,8 @@ int fill_scan_table(const core::PosedScan& posed, ScanTable& table) {
            table);
   table.first_bearing = scan.first_bearing;
   table.bearing_step = scan.bearing_step;
+  table.fan = scan.fan;
+  table.fan_middle = scan.first_bearing + 0.5 * (scan.num_beams - 1) * scan.bearing_step;
   table.max_range = scan.max_range;
   table.num_beams = scan.num_beams;
   table.whole_circle = sector > 2.0 * std::numbers::pi - 0.5 * scan.bearing_step;

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/detection.hpp"
 #include "core/sonar_scan.hpp"
+#include "core/uneven_fan.hpp"
 #include "csht/likelihood/sensor_model.hpp"
 
 namespace lookout::csht {
@@ -24,14 +26,16 @@ struct ScanTable {
   core::Pose2 T_earth_sonar;  ///< As stated, but for the mean of `heading_error`.
   /// What is believed of the heading's error; nothing where it is taken for exact.
   std::optional<HeadingError> heading_error;
-  double axis = 0.0;                      ///< Azimuth of the middle of the sector [rad].
-  double cos_axis = 1.0, sin_axis = 0.0;  ///< Of `axis`.
-  double first_bearing = 0.0;             ///< Centre of beam 0 in the sonar frame [rad].
-  double bearing_step = 0.0;              ///< [rad].
-  double max_range = 0.0;                 ///< [m].
-  double cos_half_sector = 0.0;           ///< Cosine of half the sector; -1 of the whole circle.
-  int num_beams = 0;                      ///< Without the two slots at the ends.
-  bool whole_circle = false;              ///< The sector closes on itself.
+  double axis = 0.0;                           ///< Azimuth of the middle of the sector [rad].
+  double cos_axis = 1.0, sin_axis = 0.0;       ///< Of `axis`.
+  double first_bearing = 0.0;                  ///< Centre of beam 0 in the sonar frame [rad].
+  double bearing_step = 0.0;                   ///< [rad]; of uneven beams the mean.
+  std::shared_ptr<const core::UnevenFan> fan;  ///< Of uneven beams; null: they are even.
+  double fan_middle = 0.0;                     ///< Bearing of `axis` in the sonar frame [rad].
+  double max_range = 0.0;                      ///< [m].
+  double cos_half_sector = 0.0;                ///< Cosine of half the sector; -1 of the whole circle.
+  int num_beams = 0;                           ///< Without the two slots at the ends.
+  bool whole_circle = false;                   ///< The sector closes on itself.
   ClutterModel clutter = ClutterModel::exclusive_beam;  ///< How false returns come about.
   std::vector<core::Detection> detections;              ///< The valid returns, placed in the earth frame.
 
@@ -65,6 +69,24 @@ struct ScanTable {
 
   /// Whether the beam returned nothing; 0 <= beam < num_beams.
   bool silent(int beam) const { return range[static_cast<std::size_t>(beam) + 1] < 0.0F; }
+  /// Whether beams are uneven: what is said of them in mean spacings then goes through `fan`.
+  bool uneven() const { return fan != nullptr && clutter != ClutterModel::point; }
+  /// Of a bearing from `axis` [rad] (from_axis), in beams from the middle of the sector.
+  double beams_from_middle(double from_axis) const {
+    return uneven() ? fan->place_of(from_axis + fan_middle) - 0.5 * (num_beams - 1)
+                    : from_axis / bearing_step;
+  }
+  /// The other way: bearing from `axis` [rad].
+  double bearing_of_beams(double from_middle) const {
+    return uneven() ? fan->bearing_at(from_middle + 0.5 * (num_beams - 1)) - fan_middle
+                    : from_middle * bearing_step;
+  }
+  /// Width [rad] of the beam so many beams from the middle of the sector.
+  double width_at(double from_middle) const {
+    return uneven() ? fan->width(static_cast<int>(from_middle + 0.5 * num_beams)) : bearing_step;
+  }
+  /// Between the edges of the sector [rad].
+  double sector() const { return fan ? fan->sector() : num_beams * bearing_step; }
 };
 
 /// Fills `table` from a scan; its buffers are kept, so that a warm caller allocates nothing. Two returns of

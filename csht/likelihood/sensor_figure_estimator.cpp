@@ -22,7 +22,7 @@ struct Sighting {
 };
 
 Sighting sight_in_beam(const ScanTable& scan, double range, double bearing) {
-  const double beam = bearing / scan.bearing_step + 0.5 * scan.num_beams;
+  const double beam = scan.beams_from_middle(bearing) + 0.5 * scan.num_beams;
   if (beam < 0.0 || beam >= scan.num_beams || range > scan.max_range) return {};
   const auto slot = static_cast<std::size_t>(beam) + 1;
   if (scan.silent(static_cast<int>(beam))) {
@@ -75,7 +75,8 @@ bool hides(const ScanTable& scan, const Eigen::Vector2d& target, const Eigen::Ve
            (target - other).norm() * static_cast<double>(scan.inverse_resolution) < 1.0;
   const double across = std::abs(other.x() * target.y() - other.y() * target.x()) / target.norm();
   const bool nearer = target.norm() < other.norm() && other.dot(target) > 0.0;
-  return nearer && across < scan.bearing_step * other.norm();
+  const double bearing = core::wrap_to_pi(std::atan2(other.y(), other.x()) - scan.axis);
+  return nearer && across < scan.width_at(scan.beams_from_middle(bearing)) * other.norm();
 }
 
 }  // namespace

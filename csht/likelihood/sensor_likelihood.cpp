@@ -77,6 +77,13 @@ void place(const ScanTable& scan, const HypothesisSpan& h, Part part, double sec
   }
 }
 
+// Bearings as they would be if the beams were even: from here on a beam is a mean step wide.
+void even_out(const ScanTable& scan, std::size_t count, float* bearing) {
+  for (std::size_t i = 0; i < count; ++i)
+    bearing[i] =
+        static_cast<float>(scan.beams_from_middle(static_cast<double>(bearing[i])) * scan.bearing_step);
+}
+
 // The slot of each hypothesis, the neighbour across its nearer edge, and the neighbour's weight: 1/2 at the
 // edge, falling linearly to 0 at edge_softness. Out of range or sector: slot 0 of a sector, which says
 // nothing.
@@ -213,6 +220,7 @@ void for_each_block(const ScanTable& scan, const BeamMask* mask, const Hypothesi
   for (std::size_t first = 0; first < hypotheses.size(); first += kBlock) {
     const std::size_t count = std::min(kBlock, hypotheses.size() - first);
     place(scan, hypotheses, {first, count}, seconds, {block.range.data(), block.bearing.data()});
+    if (scan.uneven()) even_out(scan, count, block.bearing.data());
     if (scan.clutter == ClutterModel::point)
       find_point_ratios(scan, mask, {block.range.data(), count}, {block.bearing.data(), count}, tolerance,
                         {block.ratio.data(), count});
@@ -240,7 +248,7 @@ double plain_slot_ratio(const ScanTable& scan, const BeamMask* mask, const Shape
 double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, const Shape& shape, double range,
                         double bearing) {
   const double beam =
-      std::clamp(bearing / scan.bearing_step + 0.5 * scan.num_beams + 1.0, 0.5, scan.num_beams + 1.5);
+      std::clamp(scan.beams_from_middle(bearing) + 0.5 * scan.num_beams + 1.0, 0.5, scan.num_beams + 1.5);
   const int slot = static_cast<int>(beam);
   const double inside = beam - slot;
   const double edge = std::min(inside, 1.0 - inside);
@@ -255,6 +263,7 @@ double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, const Shape
 void locate(const ScanTable& scan, const HypothesisSpan& hypotheses, double seconds, std::span<float> range,
             std::span<float> bearing) {
   place(scan, hypotheses, {0, hypotheses.size()}, seconds, {range.data(), bearing.data()});
+  if (scan.uneven()) even_out(scan, hypotheses.size(), bearing.data());
 }
 
 void add_log_ratio(const ScanTable& scan, const BeamMask* mask, const HypothesisSpan& hypotheses,

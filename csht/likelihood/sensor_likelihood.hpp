@@ -18,7 +18,8 @@ struct HypothesisSpan {
 };
 
 /// Where each hypothesis, moved by `seconds` along its velocity, is seen from a scan: range [m], and bearing
-/// from the scan's axis [rad]. Vectorised; single precision.
+/// from the scan's axis [rad], of uneven beams as if they were even: in beams, times the mean step.
+/// Vectorised; single precision.
 void locate(const ScanTable& scan, const HypothesisSpan& hypotheses, double seconds, std::span<float> range,
             std::span<float> bearing);
 

@@ -37,7 +37,7 @@ double random_phase(core::Random& random) {
 ImageMaker::ImageMaker(const SonarPlan& sonar, const ImagePlan& plan, const StreamKey& key)
     : sonar_(sonar.params),
       plan_(plan),
-      empty_(empty_image(sonar.params, plan, sonar.beam_bearings)),
+      empty_(empty_image(sonar.params, plan)),
       standing_(placed(sonar, plan, key)),
       random_(image_stream(key)),
       standing_random_(open_stream(key, StreamPurpose::image_standing)) {

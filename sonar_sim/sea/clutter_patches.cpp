@@ -34,7 +34,7 @@ std::optional<Interval> chord(const ClutterPatch& patch, const Ping& ping, doubl
 
 /// Ranges at which a beam lies in the patch.
 std::optional<Interval> ranges_in(const ClutterPatch& patch, const Ping& ping, int beam) {
-  const double bearing = ping.fan.centre(beam);
+  const double bearing = ping.params.beam_centre(beam);
   if (patch.on_earth) return chord(patch, ping, bearing);
   return holds_bearing(patch, bearing) ? std::optional(Interval{patch.nearest, patch.farthest})
                                        : std::nullopt;
@@ -42,11 +42,12 @@ std::optional<Interval> ranges_in(const ClutterPatch& patch, const Ping& ping, i
 
 std::vector<BeamReturn> draw_by_beam(const ClutterPatch& patch, const Ping& ping, Random& random) {
   std::vector<BeamReturn> heard;
-  for (int beam = 0; beam < ping.fan.num_beams(); ++beam) {
+  for (int beam = 0; beam < ping.params.num_beams; ++beam) {
     const auto ranges = ranges_in(patch, ping, beam);
     if (!ranges || !random.bernoulli(*patch.probability)) continue;
     const double range = random.uniform(ranges->low, ranges->high);
-    if (ping.in_range(range)) heard.push_back({beam, {ping.fan.centre(beam), range, 1.0}, Source::clutter});
+    if (ping.in_range(range))
+      heard.push_back({beam, {ping.params.beam_centre(beam), range, 1.0}, Source::clutter});
   }
   return heard;
 }
@@ -61,7 +62,7 @@ core::SonarPoint draw_point(const ClutterPatch& patch, const Ping& ping, Random&
   core::SonarPoint point;
   point.bearing = core::wrap_to_pi(random.uniform(patch.first_bearing, patch.last_bearing));
   point.range = random.uniform(patch.nearest, patch.farthest);
-  point.beam = ping.fan.beam_of(point.bearing);
+  point.beam = ping.params.beam_of(point.bearing);
   point.in_range = ping.in_range(point.range);
   return point;
 }
@@ -71,7 +72,7 @@ std::vector<BeamReturn> draw_by_number(const ClutterPatch& patch, const Ping& pi
   for (int left = random.poisson(*patch.mean_returns); left > 0; --left) {
     const core::SonarPoint point = draw_point(patch, ping, random);
     if (!point.visible()) continue;
-    const int beam = ping.fan.beam_of(point.bearing);
+    const int beam = ping.params.beam_of(point.bearing);
     heard.push_back({beam, {ping.reported_bearing(beam, point.bearing), point.range, 1.0}, Source::clutter});
   }
   return heard;

@@ -12,7 +12,7 @@ bool spills(const Spill& spill, const BeamReturn& heard) {
 }
 
 bool all_round(const core::SonarParams& params) {
-  const double gap = 2.0 * std::numbers::pi - params.num_beams * params.bearing_step;
+  const double gap = 2.0 * std::numbers::pi - params.sector();
   return gap < 0.5 * params.bearing_step;
 }
 
@@ -25,6 +25,13 @@ std::optional<int> neighbour(const Ping& ping, int beam, int offset) {
   return other >= 0 && other < count ? std::optional(other) : std::nullopt;
 }
 
+/// Bearing of what is heard `offset` beams beside a return [rad]: as far from that beam's centre.
+double bearing_beside(const Ping& ping, const BeamReturn& first, int beam, int offset) {
+  const core::SonarParams& params = ping.params;
+  if (!params.fan) return first.measured.bearing + offset * params.bearing_step;
+  return first.measured.bearing + params.beam_centre(beam) - params.beam_centre(first.beam);
+}
+
 std::optional<BeamReturn> repeat(const Spill& spill, const Ping& ping, const BeamReturn& first, int offset,
                                  core::Random& random) {
   const auto index = static_cast<std::size_t>(std::abs(offset)) - 1;
@@ -34,7 +41,7 @@ std::optional<BeamReturn> repeat(const Spill& spill, const Ping& ping, const Bea
   heard.beam = *beam;
   heard.source = Source::spill;
   heard.loss_db = index < spill.loss_db.size() ? spill.loss_db[index] : 0.0;
-  const double bearing = first.measured.bearing + offset * ping.params.bearing_step;
+  const double bearing = bearing_beside(ping, first, *beam, offset);
   heard.measured.bearing = ping.reported_bearing(*beam, core::wrap_to_pi(bearing));
   heard.measured.range += random.gaussian(spill.range_sigma);
   return ping.in_range(heard.measured.range) ? std::optional(heard) : std::nullopt;

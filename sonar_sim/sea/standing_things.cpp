@@ -41,7 +41,7 @@ struct Collector {
     --thing;
     const auto seen = core::observe(ping.params, ping.T_earth_sonar, point.position);
     if (!seen.visible()) return;
-    const int beam = ping.fan.beam_of(seen.bearing);
+    const int beam = ping.params.beam_of(seen.bearing);
     add(beam, ping.reported_bearing(beam, seen.bearing), seen.range, point.echo,
         point.echo.range_sigma.value_or(ping.echo_range_sigma));
   }
@@ -50,8 +50,8 @@ struct Collector {
   void add_wall(const Wall& wall) {
     --thing;
     const Vector2d p_earth{ping.T_earth_sonar.north, ping.T_earth_sonar.east};
-    for (int beam = 0; beam < ping.fan.num_beams(); ++beam) {
-      const double bearing = ping.fan.centre(beam);
+    for (int beam = 0; beam < ping.params.num_beams; ++beam) {
+      const double bearing = ping.params.beam_centre(beam);
       const auto range = range_to(wall, p_earth, ping.T_earth_sonar.heading + bearing);
       if (range && ping.in_range(*range))
         add(beam, bearing, *range, wall.echo, wall.echo.range_sigma.value_or(kWallRangeSigma));

@@ -88,5 +88,15 @@ TEST(PoseHistory, WorksFarFromTimeZero) {
   EXPECT_NEAR(history.at(now + 250'000)->north, 0.25, 1e-6);
 }
 
+// A state every 20 s, and a scan that waits for the state behind it: the one at its own time must still be
+// there.
+TEST(PoseHistory, KeepsTheNewestFewHoweverFarApart) {
+  PoseHistory history;
+  for (int i = 0; i < 100; ++i) history.add(state_at(20.0 * i, {1.0 * i, 0, 0}));
+  ASSERT_TRUE(history.at(microseconds(20.0 * 97)));
+  EXPECT_NEAR(history.at(microseconds(20.0 * 97))->north, 97.0, 1e-9);
+  EXPECT_LE(history.size(), 20u);
+}
+
 }  // namespace
 }  // namespace lookout::core

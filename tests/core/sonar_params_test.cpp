@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/files/yaml_reader.hpp"
 #include "core/input_error.hpp"
+#include "tests/support/reading.hpp"
 
 namespace lookout::core {
 namespace {
@@ -81,6 +84,63 @@ TEST(SonarParams, RefusesWhatMakesNoSensor) {
   EXPECT_THROW(read("num_beams: 400"), InputError);
   EXPECT_THROW(read("clutter_per_scan: 1\nfalse_alarm_probability: 0.1"), InputError);
   EXPECT_THROW(read("max_ragne: 5"), InputError);
+}
+
+/// Params from the text of a sonar.yaml.
+SonarParams read(const std::string& text, SonarParams params = {}) {
+  read_sonar_params(YamlMap::load_text(text, "t"), params);
+  return params;
+}
+
+TEST(SonarParams, UnevenBeamsAreReadFromPortAndCountByTheirCentres) {
+  for (const std::string text :
+       {"beam_bearings_deg: [-10, -2, 0, 10]", "beam_bearings_deg: [10, 0, -2, -10]"}) {
+    const SonarParams params = read(text);
+    EXPECT_EQ(params.num_beams, 4);
+    EXPECT_DOUBLE_EQ(params.first_bearing, radians(-10.0));
+    EXPECT_DOUBLE_EQ(degrees(params.bearing_step), 20.0 / 3.0);
+    EXPECT_EQ(params.beam_of(radians(-5.9)), 1);
+    EXPECT_DOUBLE_EQ(params.beam_centre(1), radians(-2.0));
+    EXPECT_NEAR(degrees(params.left_edge()), -14.0, 1e-12);
+    EXPECT_NEAR(degrees(params.right_edge()), 15.0, 1e-12);
+  }
+}
+
+TEST(SonarParams, ABearingIsAsUncertainAsItsBeamIsWide) {
+  const SonarParams params = read("beam_bearings_deg: [-10, -2, 0, 10]");
+  EXPECT_NEAR(degrees(params.bearing_sigma_at(1)), 5.0 / std::sqrt(12.0), 1e-9);
+  EXPECT_NEAR(degrees(params.bearing_sigma_at(3)), 10.0 / std::sqrt(12.0), 1e-9);
+  EXPECT_EQ(SonarParams().bearing_sigma_at(7), SonarParams().bearing_sigma_or_default());
+}
+
+TEST(SonarParams, UnevenBeamsReadBackToTheBit) {
+  const SonarParams params = read("beam_bearings_deg: [-44.5, -43.248, -42.021, -30.7, -1.1, 0.3, 17.017]");
+  const SonarParams back = read(to_yaml(params));
+  EXPECT_TRUE(same_fan(back.fan.get(), params.fan.get()));
+  EXPECT_EQ(back.first_bearing, params.first_bearing);
+  EXPECT_EQ(back.bearing_step, params.bearing_step);
+}
+
+TEST(SonarParams, AnEvenFanOfALaterFileHoldsUnlessItIsTheMean) {
+  const SonarParams uneven = read("beam_bearings_deg: [-10, -2, 0, 10]");
+  EXPECT_TRUE(read("range_sigma: 1", uneven).fan);
+  EXPECT_TRUE(read("first_bearing_deg: -10", uneven).fan);
+  EXPECT_FALSE(read("num_beams: 20", uneven).fan);
+  EXPECT_FALSE(read("bearing_step_deg: 2", uneven).fan);
+}
+
+TEST(SonarParams, RefusesBearingsThatAreNoFan) {
+  const auto error = [](const std::string& text) { return testing::error_of([&] { read(text); }); };
+  const auto says = [&](const std::string& text, const std::string& what) {
+    EXPECT_NE(error("beam_bearings_deg: " + text).find(what), std::string::npos) << error(text);
+  };
+  says("[1, 0, 2]", "rise or fall");
+  says("[0, 0]", "rise or fall");
+  says("[0, 359.9]", "full turn");
+  says("[0, 400]", "from -360 to 360");
+  says("[3]", "at least two");
+  says("[0, 1]\nnum_beams: 3", "is not the number of beam_bearings_deg");
+  says("[0, 1]\nfirst_bearing_deg: 0", "excludes first_bearing_deg");
 }
 
 }  // namespace

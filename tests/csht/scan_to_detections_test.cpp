@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <memory>
+
+#include "core/uneven_fan.hpp"
 
 namespace lookout::csht {
 namespace {
@@ -38,6 +41,17 @@ TEST(ScanToDetections, LeavesOutAndCountsWhatCannotBe) {
                                0, detections),
             4);
   EXPECT_EQ(detections.size(), 1u);
+}
+
+TEST(ScanToDetections, UnevenBeamsAreThoseOfTheNearestCentre) {
+  core::PosedScan scan = scan_with({{core::radians(-5.9), 5, 1}, {core::radians(-6.1), 5, 1}});
+  scan.scan.num_beams = 4;
+  scan.scan.fan = std::make_shared<const core::UnevenFan>(
+      std::vector{core::radians(-10.0), core::radians(-2.0), 0.0, core::radians(10.0)});
+  std::vector<core::Detection> detections;
+  scan_to_detections(scan, 0, detections);
+  EXPECT_EQ(detections[0].beam, 1);
+  EXPECT_EQ(detections[1].beam, 0);
 }
 
 }  // namespace

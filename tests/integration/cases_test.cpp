@@ -108,6 +108,7 @@ TEST(Words, FlagsAndKeysWithoutEffectAreRefused) {
   const auto gnn = folder.write("gnn.yaml", "output: {min_existence: 0.5}\n");
   refused("--estimator csht", "--estimator: `csht` has no effect on tracker gnn");
   refused("--config " + gnn, "min_existence: has no effect on tracker gnn");
+  refused("--seed -1", "--seed: got `-1`, expected a whole number from 0 to");
   refused("--channel-prefix AUV1_", "--channel-prefix: has no effect on a recording directory");
   const auto result =
       run_lookout("replay " + kCases + "csv_forms/crlf --config " + joint + " --out " + folder.file("o"));

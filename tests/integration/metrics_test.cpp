@@ -81,9 +81,30 @@ TEST_F(OspaMetrics, BadValuesAreRefused) {
   refused("--order nan", "--order: got nan");
   refused("--order 0.5", "--order: got 0.5");
   refused("--metric gospa --order inf", "--order: got inf, expected a finite number for --metric gospa");
+  refused("--metric tgospa --order 51",
+          "--order: got 51, expected a number from 1 to 50 for --metric tgospa");
+  refused("--order abc", "--order: got `abc`, expected a number");
   refused("--metric rmse", "--metric: got `rmse`, expected one of: ospa gospa ospa2 tgospa");
   refused("--window 5", "--window: has no effect on --metric ospa");
   refused("--time-tolerance -1", "--time-tolerance: got -1");
+}
+
+TEST_F(OspaMetrics, TimesThatAreNotOfTheTruthAreRefused) {
+  const auto times = folder_.write("times.csv", "time_s\n300\n301\n");
+  refused("--times " + times, "truth.csv: time_s: the truth is of another time: 0 to 3 s");
+}
+
+// Two hundred of each, all within the cut-off of many: its exact metric would take for ever.
+TEST_F(OspaMetrics, TrajectoryGospaBeyondCountIsRefused) {
+  std::string many = kHeader;
+  for (int time = 0; time < 20; ++time)
+    for (int id = 0; id < 200; ++id)
+      many += std::to_string(time) + "," + std::to_string(id) + "," + std::to_string(id % 20) + "," +
+              std::to_string(7 * (id / 20)) + "\n";
+  const auto file = folder_.write("crowd.csv", many);
+  const auto result = run_lookout("ospa " + file + " " + file + " --metric tgospa");
+  EXPECT_EQ(result.status, 2);
+  EXPECT_NE(result.err.find("--metric tgospa: "), std::string::npos) << result.err;
 }
 
 TEST_F(OspaMetrics, RowsBeyondABoundAreRefused) {

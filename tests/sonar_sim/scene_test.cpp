@@ -98,7 +98,7 @@ TEST(Scene, ContradictionsOfASonarNameTheirPlace) {
   };
   says(sonar_error("beam_bearings_deg: [0, 1], bearing_step_deg: 1"), "excludes first_bearing_deg");
   says(sonar_error("beam_bearings_deg: [0, 1], num_beams: 3"), "is not the number of beam_bearings_deg");
-  says(sonar_error("beam_bearings_deg: [1, 0]"), "bearings that increase");
+  says(sonar_error("beam_bearings_deg: [1, 0, 2]"), "bearings that rise or fall");
   says(sonar_error("range_settings: [{time: 5, max_range: 9}, {time: 5, max_range: 8}]"), "must be later");
   says(sonar_error("returns_per_beam: 0"), "returns_per_beam: got `0`");
   says(sonar_error("returns_per_beam: 1000, num_beams: 360"), "num_beams x returns_per_beam is above");

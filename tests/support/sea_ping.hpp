@@ -18,7 +18,7 @@ inline Ping ping_at_origin() {
 
 /// The echo of a target in `beam` at `range` [m].
 inline BeamReturn echo_in(const Ping& ping, int beam, double range) {
-  return {beam, {ping.fan.centre(beam), range, 1.0}, Source::target};
+  return {beam, {ping.params.beam_centre(beam), range, 1.0}, Source::target};
 }
 
 /// Five binomial standard errors of a rate.

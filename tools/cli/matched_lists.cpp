@@ -98,6 +98,7 @@ MatchedLists::MatchedLists(ComparedLists lists, const Options& options)
     require_one_clock(tools::times_of(truth_), times_of(lists_), options.inputs[0]);
   const auto asked = match_of(options);
   const Times& scans = lists.scans;
+  if (!scans.empty() && !truth_.empty()) require_one_clock(tools::times_of(truth_), scans, options.inputs[0]);
   auto chosen =
       asked ? tracking::ChosenMatch{*asked, ""}
             : tracking::choose_match(tools::times_of(truth_), scans.empty() ? times_of(lists_) : scans);

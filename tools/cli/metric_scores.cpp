@@ -36,6 +36,16 @@ void require_finite_order(const Options& options) {
     throw core::InputError("--order: got inf, expected a finite number for --metric " + options.metric);
 }
 
+/// Beyond it the powers of short distances and of the switch penalty are 0 beside that of the cut-off.
+constexpr double kHighestTrajectoryOrder = 50.0;
+
+void require_trajectory_order(const Options& options) {
+  require_finite_order(options);
+  if (options.order > kHighestTrajectoryOrder)
+    throw core::InputError("--order: got " + core::shortest(options.order) +
+                           ", expected a number from 1 to 50 for --metric tgospa");
+}
+
 Score gospa_score(const MatchedLists& lists, const Options& options) {
   require_finite_order(options);
   tracking::Scorer scorer = make_scorer(options);
@@ -106,7 +116,7 @@ tracking::TrajectoryGospaParams trajectory_params(const Options& options) {
 }
 
 Score tgospa_score(const MatchedLists& lists, const Options& options) {
-  require_finite_order(options);
+  require_trajectory_order(options);
   const tracking::TruthKind kind = make_scorer(options).kind();
   const TrajectoryPair pair(lists, kind);
   const tracking::TrajectoryGospa metric(trajectory_params(options));

@@ -115,11 +115,17 @@ FrameNumbers frame_numbers(std::span<const std::string> stems) {
 
 namespace {
 
+/// What an operating system leaves beside pictures, `._frame1.pgm` among it.
+bool is_hidden(const std::filesystem::path& path) {
+  return path.filename().string().starts_with('.');
+}
+
 PgmSequence list_of(const std::string& directory, std::span<const std::string_view> extensions) {
   std::error_code error;
   PgmSequence sequence;
   for (const auto& entry : std::filesystem::directory_iterator(directory, error))
-    if (std::find(extensions.begin(), extensions.end(), extension_of(entry.path())) != extensions.end())
+    if (!is_hidden(entry.path()) &&
+        std::find(extensions.begin(), extensions.end(), extension_of(entry.path())) != extensions.end())
       sequence.paths.push_back(entry.path().string());
   if (error) throw core::InputError(directory + ": cannot be read, expected a directory of .pgm files");
   if (sequence.paths.empty()) throw core::InputError(directory + ": holds no .pgm file");

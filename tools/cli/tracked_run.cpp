@@ -44,6 +44,23 @@ void write_ospa(const std::string& path, const TrackedRun& run, tracking::Scorer
   for (const auto& note : matched.notes()) log_warning(note);
 }
 
+/// What came in and what became of it: scans = tracked + the five reasons, and so on.
+nlohmann::ordered_json received(const tracking::IntakeCounts& counts) {
+  return {{"scans", counts.received},
+          {"tracked", counts.accepted},
+          {"no_pose", counts.no_pose},
+          {"damaged", counts.damaged},
+          {"out_of_time", counts.out_of_time},
+          {"frozen", counts.frozen},
+          {"shed", counts.shed},
+          {"returns", counts.returns},
+          {"returns_silent", counts.silent_returns},
+          {"returns_out_of_bounds", counts.dropped_returns},
+          {"vehicle_states", counts.states},
+          {"vehicle_states_believed", counts.accepted_states},
+          {"vehicle_states_rejected", counts.bad_states}};
+}
+
 void write_summary(const std::string& path, const TrackedRun& run, const Configuration& configuration,
                    const tracking::Scorer& scorer, const Options& options) {
   const tracking::OspaResult mean = scorer.mean().position;
@@ -57,6 +74,7 @@ void write_summary(const std::string& path, const TrackedRun& run, const Configu
       {"lag_s", core::seconds(configuration.lag)},
       {"tracked_scans", run.output.tracks.size()},
       {"rejected_scans", run.counts.rejected()},
+      {"received", received(run.counts)},
       {"truth", options.truth},
       {"cutoff", options.cutoff},
       {"order",

@@ -40,7 +40,7 @@ void declare_fuse(CLI::App& app, Options& options) {
   app.add_option("--config", options.config, "Configuration YAML");
   app.add_option("--seed", options.seed, "Of random draws; no method of today draws")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(&seed_defect);
   add_live(app, options);
 }
 

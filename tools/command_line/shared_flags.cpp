@@ -1,6 +1,9 @@
 #include "tools/command_line/shared_flags.hpp"
 
+#include <charconv>
+#include <cstdint>
 #include <iterator>
+#include <string>
 #include <vector>
 
 #include "tools/cli/configuration.hpp"
@@ -15,10 +18,17 @@ std::string method_choices() {
                 tracking::tracker_names());
 }
 
+std::string seed_defect(const std::string& text) {
+  std::uint64_t seed = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+  if (error == std::errc() && end == text.data() + text.size()) return {};
+  return "got `" + text + "`, expected a whole number from 0 to 18446744073709551615";
+}
+
 void add_seed(CLI::App& app, Options& options) {
   app.add_option("--seed", options.seed, "Seed of every random draw")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber);
+      ->check(&seed_defect);
 }
 
 void add_out(CLI::App& app, Options& options) {

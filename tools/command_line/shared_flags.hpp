@@ -18,6 +18,8 @@ std::string one_of(const std::string& what, const Names& names) {
 
 /// Of `compare --method`.
 std::string method_choices();
+/// What is wrong with the text of a --seed; empty for nothing.
+std::string seed_defect(const std::string& text);
 /// --seed.
 void add_seed(CLI::App& app, Options& options);
 /// --out, a directory.

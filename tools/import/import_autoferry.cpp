@@ -74,6 +74,9 @@ class LeftOut {
     else
       ++place->count;
   }
+  bool has(const std::string& reason) const {
+    return std::any_of(reasons_.begin(), reasons_.end(), [&](const auto& r) { return r.text == reason; });
+  }
   std::vector<std::string> lines() const {
     std::vector<std::string> lines;
     for (const auto& reason : reasons_)
@@ -140,7 +143,20 @@ std::int32_t id_of(const json& value) {
   return static_cast<std::int32_t>(id);
 }
 
-std::vector<TrueTarget> truth_of(const json& targets, std::size_t index, LeftOut& left_out) {
+/// Farthest that a target's own time is from its scan's [s]; in the data set .75 s.
+constexpr double kFarthestTime = 5.0;
+constexpr const char* kOtherTime = "targets that are more than 5 s from the scan that they stand beside";
+
+/// Whether a target states a time that cannot be that of the scan.
+bool of_another_time(const json& target, double scan_time) {
+  if (!target.contains("time")) return false;
+  const double time = number(target["time"]);
+  return !(std::abs(time - scan_time) <= kFarthestTime);
+}
+
+/// @param scan_time of the scan that the targets stand beside [s].
+std::vector<TrueTarget> truth_of(const json& targets, double scan_time, std::size_t index,
+                                 LeftOut& left_out) {
   if (!targets.is_array()) throw BadEntry();
   std::vector<TrueTarget> truth;
   for (const json& target : targets) {
@@ -150,6 +166,8 @@ std::vector<TrueTarget> truth_of(const json& targets, std::size_t index, LeftOut
       left_out.add("targets without a finite position", index);
     else if (std::any_of(truth.begin(), truth.end(), same))
       left_out.add("targets that stand twice beside one scan", index);
+    else if (of_another_time(target, scan_time))
+      left_out.add(kOtherTime, index);
     else
       truth.push_back(read);
   }
@@ -196,8 +214,8 @@ std::vector<Indexed> radar_entries(const Pair& files, LeftOut& left_out) {
     }
     ScanAndTruth pair;
     pair.scan = at_entry(files.detections_path, index, [&] { return scan_of(entry, index, left_out); });
-    pair.truth =
-        at_entry(files.truths_path, index, [&] { return truth_of(files.truths[index], index, left_out); });
+    pair.truth = at_entry(files.truths_path, index,
+                          [&] { return truth_of(files.truths[index], pair.scan.time, index, left_out); });
     entries.push_back({std::move(pair), index});
   }
   return entries;
@@ -275,6 +293,11 @@ ImportSummary import_autoferry(const std::string& detections, const std::string&
   const std::vector<ScanAndTruth> scans = radar_scans(files, left_out);
   if (scans.empty())
     throw core::InputError(detections + ": no radar scan (sensorID 2) with a truth beside it");
+  const auto has_truth = [](const ScanAndTruth& pair) { return !pair.truth.empty(); };
+  if (left_out.has(kOtherTime) && std::none_of(scans.begin(), scans.end(), has_truth))
+    throw core::InputError(ground_truth +
+                           ": no target is within 5 s of the scan that it stands beside; "
+                           "expected the ground truth of these detections");
   Tables tables;
   for (const auto& pair : scans) tables.add(pair.scan.time - scans.front().scan.time, pair);
   tables.write(out);

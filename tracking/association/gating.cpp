@@ -18,7 +18,7 @@ Eigen::Matrix2d position_noise(const core::Detection& detection, const core::Son
   const double c = std::cos(detection.azimuth);
   const double s = std::sin(detection.azimuth);
   const double along = sonar.range_sigma * sonar.range_sigma;
-  const double across = std::pow(detection.range * sonar.bearing_sigma_or_default(), 2);
+  const double across = std::pow(detection.range * sonar.bearing_sigma_at(detection.beam), 2);
   Eigen::Matrix2d noise;
   noise << along * c * c + across * s * s, (along - across) * c * s, (along - across) * c * s,
       along * s * s + across * c * c;

@@ -26,7 +26,7 @@ std::span<const Plot> SonarPlots::of(const core::PosedScan& scan, const core::So
   }
   csht::scan_to_detections(scan, 0, detections_);
   returns_per_scan_ += kMeanForgets * (static_cast<double>(detections_.size()) - returns_per_scan_);
-  const double sector = sonar.num_beams * sonar.bearing_step;
+  const double sector = sonar.sector();
   const double per_range = std::max(returns_per_scan_, 1.0) / (sector * sonar.max_range);
   plots_.clear();
   for (const core::Detection& detection : detections_) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/beam_bearings.hpp"
+#include "core/uneven_fan.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -42,11 +43,20 @@ bool same(double a, double b) {
   return within(a - b, kSameGeometry);
 }
 
+bool same_fan(const PingGeometry& ping, const PingGeometry& other) {
+  return ping.num_beams == other.num_beams && same(ping.first_bearing, other.first_bearing) &&
+         same(ping.bearing_step, other.bearing_step);
+}
+
+bool same_fan(const PingGeometry& ping, const core::SonarParams& configured) {
+  if (configured.fan) return configured.fan->fits(ping.num_beams, ping.first_bearing, ping.bearing_step);
+  return ping.num_beams == configured.num_beams && same(ping.first_bearing, configured.first_bearing) &&
+         same(ping.bearing_step, configured.bearing_step);
+}
+
 template <class Other>
 bool same_sector(const PingGeometry& ping, const Other& other) {
-  return ping.num_beams == other.num_beams && same(ping.first_bearing, other.first_bearing) &&
-         same(ping.bearing_step, other.bearing_step) &&
-         same(ping.T_body_sonar.north, other.T_body_sonar.north) &&
+  return same_fan(ping, other) && same(ping.T_body_sonar.north, other.T_body_sonar.north) &&
          same(ping.T_body_sonar.east, other.T_body_sonar.east) &&
          same(ping.T_body_sonar.heading, other.T_body_sonar.heading);
 }
@@ -64,6 +74,7 @@ bool bring_into_sector(const core::SonarScan& scan, core::SonarReturn& one) {
   const double offset = one.bearing - middle;
   // Left as it came where it is near already: the same bits in every way that a scan can take.
   if (!within(offset, std::numbers::pi)) one.bearing = middle + std::remainder(offset, kFullTurn);
+  if (scan.fan) return scan.fan->beam_of(one.bearing) >= 0;
   const long beam = std::lround((one.bearing - scan.first_bearing) / scan.bearing_step);
   return beam >= 0 && beam < scan.num_beams;
 }

@@ -36,20 +36,37 @@ std::int64_t num_returns(const core::SonarImage& /*image*/) {
   return 0;
 }
 
+/// The fan that the scan's message could not carry.
+void give_fan(FanFinder& finder, const core::SonarParams& configured, core::SonarScan& scan) {
+  scan.fan = finder.fan_of(scan, configured);
+}
+void give_fan(FanFinder& /*finder*/, const core::SonarParams& /*configured*/, core::SonarImage& /*image*/) {}
+
+bool learns_fan(FanFinder& finder, const core::SonarScan& scan) {
+  return finder.learn(scan);
+}
+bool learns_fan(FanFinder& /*finder*/, const core::SonarImage& /*image*/) {
+  return false;
+}
+
 std::int64_t max_pose_gap(const core::SonarParams& configured) {
   return core::microseconds(configured.max_pose_gap);
 }
 
-/// How the clock of a stream is guarded: a message may be as late as the intake waits for one.
-ClockGuardParams clock_of(const IntakeParams& params) {
+/// Scans of a slow sensor that may be missing before its next one is on another clock.
+constexpr double kMissing = 2.0;
+
+/// A clock on which a message may be as late as it may be waited for, and the next one a few periods away.
+ClockGuardParams clock_of(const IntakeParams& params, const core::SonarParams& configured) {
   ClockGuardParams clock = params.clock;
   clock.max_late = params.max_wait;
+  clock.max_step = std::max(clock.max_step, core::microseconds((1.0 + kMissing) * configured.scan_period));
   return clock;
 }
 
 /// The same of vehicle states: a gap that poses are interpolated across is no leap of their clock.
 ClockGuardParams state_clock_of(const IntakeParams& params, const core::SonarParams& configured) {
-  ClockGuardParams clock = clock_of(params);
+  ClockGuardParams clock = clock_of(params, configured);
   clock.max_leap = std::max(clock.max_leap, max_pose_gap(configured));
   return clock;
 }
@@ -134,7 +151,8 @@ typename PingIntake<Ping>::Sensor* PingIntake<Ping>::sensor_of(const Ping& ping)
   const auto found = sensors_.find(ping.sensor_id);
   if (found != sensors_.end()) return &found->second;
   if (sensors_.size() >= kMaxSensors) return nullptr;
-  return &sensors_.emplace(ping.sensor_id, Sensor{ClockGuard(clock_of(params_)), {}}).first->second;
+  return &sensors_.emplace(ping.sensor_id, Sensor{ClockGuard(clock_of(params_, configured_)), {}})
+              .first->second;
 }
 
 /// Keeps a suspect until others agree with it. The first of its kind replaces those that nothing agreed with.
@@ -222,7 +240,7 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   handed_out_ = sensor.last_out = ping.utime;
   if (is_frozen(sensor, ping)) return reject(ping, "its content repeats to the bit", counts_.frozen);
   const std::int64_t returns = num_returns(ping);
-  const DroppedReturns dropped = drop_returns(ping);
+  const DroppedReturns dropped = drop_returns_of(sensor, ping);
   if (const auto reason = contradiction(sensor, dropped, T_earth_body); !reason.empty())
     return reject(ping, reason, counts_.contradicting);
   counts_.returns += returns;
@@ -232,6 +250,16 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   accepted_ = ping.utime;
   if (sink_.pose) sink_.pose(T_earth_body);
   sink_.accept(posed_);
+}
+
+template <class Ping>
+DroppedReturns PingIntake<Ping>::drop_returns_of(Sensor& sensor, Ping& ping) {
+  give_fan(sensor.fan, configured_, ping);
+  const DroppedReturns dropped = drop_returns(ping);
+  if (learns_fan(sensor.fan, ping))
+    sink_.report(described(ping) +
+                 ": beams are even in sine, not in angle; they are taken at their bearings");
+  return dropped;
 }
 
 /// Tells what a person should know of a ping that is accepted: another geometry, content that is frozen.

@@ -12,6 +12,7 @@
 #include "core/sonar_image.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
+#include "tracking/intake/fan_finder.hpp"
 #include "tracking/intake/outside_returns.hpp"
 #include "tracking/intake/ping_checks.hpp"
 #include "tracking/intake/pose_intake.hpp"
@@ -125,6 +126,7 @@ class PingIntake {
     std::vector<Ping> held = {};  ///< Suspect, and each later than the one before.
     std::optional<std::int64_t> last_out = {};
     std::optional<PingGeometry> geometry = {};
+    FanFinder fan = {};
     std::size_t content = 0;  ///< Of the last ping, as a hash; 0 for too little to tell.
     int repeats = 0;          ///< Pings in a row with that content, beyond the first.
   };
@@ -141,6 +143,7 @@ class PingIntake {
   std::string_view contradiction(Sensor& sensor, const DroppedReturns& dropped,
                                  const core::Pose2& T_earth_body);
   void look_at(Sensor& sensor, const Ping& ping);
+  DroppedReturns drop_returns_of(Sensor& sensor, Ping& ping);
   void give_up_first(std::string_view reason);
   std::string why_no_pose(std::int64_t utime) const;
   void begin_new_clock(Sensor& first, std::int64_t utime);

@@ -143,6 +143,10 @@ class GroupSearch {
   }
 
   void take(const State& from, const std::vector<int>& partner) {
+    work_ += static_cast<double>(partner.size() * partner.size() + next_.size());
+    if (work_ > TrajectoryGospa::kMostWork)
+      throw std::length_error("the pairings of " + std::to_string(partner.size()) +
+                              " targets that come near one another are beyond count");
     if (++tried_ > TrajectoryGospa::kMostPairings)
       throw std::length_error("more than " + std::to_string(TrajectoryGospa::kMostPairings) +
                               " pairings of targets and tracks are possible at one time");
@@ -237,6 +241,7 @@ class GroupSearch {
   TrajectoryGospaParams params_;
   double half_switch_;
   std::size_t time_ = 0, tried_ = 0;
+  double work_ = 0.0;        // Of the whole run [steps].
   double least_cost_ = 0.0;  // Of the states of this time so far.
   std::vector<State> states_, next_;
   /// Where in `next_` the state of these partners and this past stands.

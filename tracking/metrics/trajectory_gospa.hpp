@@ -36,12 +36,13 @@ struct TrajectoryGospaResult {
 /// linear-programming bound. [GarciaFernandez2020].
 ///
 /// Exact by dynamic programming over the pairs, in groups of trajectories that ever come within the cut-off.
-/// Where more than kMostStates pairings of a group stay open at one time, or kMostPairings are possible, it
-/// gives up.
+/// Where more than kMostStates pairings of a group stay open at one time, kMostPairings are possible, or all
+/// of them take more than kMostWork, it gives up.
 class TrajectoryGospa {
  public:
   static constexpr std::size_t kMostStates = 400;        ///< Pairings kept open at one time.
   static constexpr std::size_t kMostPairings = 500'000;  ///< Tried at one time.
+  static constexpr double kMostWork = 5e8;               ///< Of all times of a group [steps]: some seconds.
 
   /// @throws std::invalid_argument on a parameter out of range.
   explicit TrajectoryGospa(const TrajectoryGospaParams& params = {});

@@ -12,7 +12,7 @@ namespace lookout::csht {
 namespace {
 
 double sector_of(const ScanTable& scan) {
-  return std::min(2.0 * std::numbers::pi, scan.num_beams * scan.bearing_step);
+  return std::min(2.0 * std::numbers::pi, scan.sector());
 }
 
 double area_of(const ScanTable& scan) {

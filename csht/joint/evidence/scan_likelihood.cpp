@@ -31,7 +31,7 @@ int beam_at(const ScanTable& scan, double north, double east) {
   const auto sin_axis = static_cast<float>(scan.sin_axis);
   const float bearing = fast_atan2(cos_axis * de - sin_axis * dn, cos_axis * dn + sin_axis * de);
   return static_cast<int>(
-      std::floor(static_cast<double>(bearing) / scan.bearing_step + 0.5 * scan.num_beams));
+      std::floor(scan.beams_from_middle(static_cast<double>(bearing)) + 0.5 * scan.num_beams));
 }
 
 ScanLikelihood::ScanLikelihood(const SensorFigures& figures, const SensorModelParams& model,

@@ -107,5 +107,45 @@ TEST(Csv, AnUnclosedWriterLeavesNoFile) {
   EXPECT_TRUE(std::filesystem::exists(folder.file("t.csv")));
 }
 
+// Forms of 1 and -2.5 in the columns a and b that people's programs write.
+TEST(Csv, ReadsRemarksHintsAndCapitals) {
+  const tests::TemporaryDirectory folder;
+  for (const std::string text : {"# made by X, 2026\na,b\n1,-2.5\n", "a,b\n# a remark, in between\n1,-2.5\n",
+                                 "sep=;\na;b\n1;-2,5\n", "sep=,\r\na,b\r\n1,-2.5\r\n", "A,B\n1,-2.5\n",
+                                 "a|b\n1|-2.5\n", "a,b\n1,-2.5,\n", "a,b\n1,-2.5\n,\n , \n",
+                                 "a,b\n1,\xE2\x88\x92"
+                                 "2.5\n",
+                                 "a,\xC2\xA0"
+                                 "b\n1,\xC2\xA0-2.5\n"}) {
+    const CsvTable table(folder.write("t.csv", text), kColumns);
+    ASSERT_EQ(table.num_rows(), 1u) << text;
+    EXPECT_EQ(table.integer(0, "a"), 1) << text;
+    EXPECT_DOUBLE_EQ(table.number(0, "b"), -2.5) << text;
+  }
+}
+
+TEST(Csv, TabsKeepEmptyFields) {
+  const tests::TemporaryDirectory folder;
+  const CsvTable table(folder.write("t.csv", "a\tb\n1\t\n\t2\n \t\"3\"\n"), kColumns);
+  ASSERT_EQ(table.num_rows(), 3u);
+  EXPECT_TRUE(table.empty(0, "b"));
+  EXPECT_TRUE(table.empty(1, "a"));
+  EXPECT_EQ(table.integer(1, "b"), 2);
+  EXPECT_EQ(table.integer(2, "b"), 3);
+}
+
+TEST(Csv, NamesTheCureForWhatItDoesNotRead) {
+  const tests::TemporaryDirectory folder;
+  const auto error = [&](const std::string& text) {
+    return error_of([&] { CsvTable(folder.write("t.csv", text), kColumns); });
+  };
+  EXPECT_NE(error("a b\n1 2\n").find("between commas, semicolons or tabs"), std::string::npos);
+  EXPECT_NE(error("").find("is empty; expected a line that names the columns"), std::string::npos);
+  EXPECT_NE(error("# a remark alone\n").find("is empty"), std::string::npos);
+  EXPECT_NE(error(std::string("\xFF\xFE\0\0a\0\0\0", 8)).find("UTF-32"), std::string::npos);
+  const CsvTable table(folder.write("s.csv", "a,b\n+-1,2\n"), kColumns);
+  EXPECT_NE(error_of([&] { table.number(0, "a"); }).find("got `+-1`"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lookout::core

@@ -92,5 +92,30 @@ TEST(StampChecks, AnIdentityTwiceAtOneTimeIsRefused) {
   EXPECT_EQ(error_of([&] { read_truth(path); }).find(path + ":3: id: stands twice at 0 s"), 0u);
 }
 
+// Two pings a second in whole seconds: each beam stands twice, and the bearings go back.
+TEST(StampChecks, SeveralScansOfOneTimeAreToldWithTheFirstLine) {
+  std::string merged, ordered, fine;
+  for (int k = 0; k < 6; ++k) {
+    const std::string time = std::to_string(k);
+    merged += time + ",-.2,5,1\n" + time + ",.1,9,1\n" + time + ",-.2,5.1,1\n" + time + ",.1,9.1,1\n";
+    ordered += time + ",-.2,5,1\n" + time + ",-.2,5.1,1\n" + time + ",.1,9,1\n" + time + ",.1,9.1,1\n";
+    const std::string exact = time + ".00000" + std::to_string(k * k % 10);
+    fine += exact + ",-.2,5,1\n" + exact + ",.1,9,1\n" + exact + ",-.2,5.1,1\n";
+  }
+  EXPECT_NE(StampedRecording(merged).notes().find(
+                "scans.csv:2: 6 of 6 times hold two returns of one beam, not in order"),
+            std::string::npos)
+      << StampedRecording(merged).notes();
+  EXPECT_EQ(StampedRecording(ordered).notes(), "");  // One scan of two returns a beam, as programs write it.
+  EXPECT_EQ(StampedRecording(fine).notes(), "");     // Of a clock of microseconds: nothing was cut.
+}
+
+TEST(StampChecks, AnotherSequenceAtOneTimeIsRefused) {
+  const tests::TemporaryDirectory folder;
+  folder.write("scans.csv", "time_s,sequence,bearing_rad,range_m\n0,0,.1,5\n0,0,.2,5\n0,1,.1,5\n");
+  EXPECT_NE(error_of([&] { read_recording(folder.path()); }).find("scans.csv:4: sequence: is another than"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace lookout::core

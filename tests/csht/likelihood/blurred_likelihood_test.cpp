@@ -115,5 +115,27 @@ TEST(BlurredLikelihood, TheReturnTellsInWhichBeamTheTargetWas) {
   EXPECT_GT(*std::max_element(shares.share.begin(), shares.share.end()), 0.9);
 }
 
+// One error of the heading goes over more of the narrow beams in the middle than of the wide ones outside.
+TEST(BlurredLikelihood, NarrowBeamsAreBlurredMoreThanWideOnes) {
+  const auto fan = sine_fan();
+  const auto own_share = [&fan](int beam) {
+    core::PosedScan scan = uneven_scan({{fan->centre(beam), 80.0, 1.0}});
+    ScanTable table;
+    fill_scan_table(scan, table);
+    SensorFigures figures{kMiss, kFalse, 4.0, 2.0, 0.02};
+    figures.heading_sigma = core::radians(0.5);
+    set_figures(figures, {}, table);
+    const Eigen::Vector2d at = core::from_polar(80.0, fan->centre(beam));
+    const double north = at.x(), east = at.y(), still = 0.0;
+    double fast = 0.0;
+    add_log_ratio(table, nullptr, {{&north, 1}, {&east, 1}, {&still, 1}, {&still, 1}}, 0.0, {}, {&fast, 1});
+    EXPECT_NEAR(fast, log_ratio(table, nullptr, at), 2e-2);
+    return std::exp(log_ratio(table, nullptr, at));
+  };
+  // Half a beam is .90 sigma of .5 degrees in the middle (.90 degrees wide) and 1.17 near the edge: the
+  // normal law keeps .633 and .759 there.
+  EXPECT_NEAR(own_share(45) / own_share(85), 0.633 / 0.759, 0.03);
+}
+
 }  // namespace
 }  // namespace lookout::csht

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "core/random.hpp"
 #include "tests/csht/posed_scans.hpp"
@@ -199,6 +200,35 @@ TEST(SensorLikelihood, AWholeCircleHasNoEdge) {
   const double on_seam = log_ratio(table, nullptr, core::from_polar(40.0, core::radians(-180.0)));
   const double inside = log_ratio(table, nullptr, core::from_polar(40.0, core::radians(-179.5)));
   EXPECT_NEAR(std::exp(on_seam), 0.5 * (std::exp(inside) + kMiss / (1 - kFalse)), 1e-3);
+}
+
+// Beam by beam an uneven scan says what an even one says whose beams heard the same.
+TEST(SensorLikelihood, UnevenBeamsSayWhatEvenOnesSayOfTheSameBeams) {
+  const auto fan = sine_fan();
+  core::Random random(1003);
+  core::PosedScan even = posed_scan({}), uneven = posed_scan({});
+  uneven.scan.fan = fan;
+  for (int beam = 3; beam < 90; beam += 4) {
+    const double range = random.uniform(5.0, 145.0);
+    even.scan.returns.push_back({core::radians(beam - 44.5), range, 1.0});
+    uneven.scan.returns.push_back({fan->centre(beam), range, 1.0});
+  }
+  ScanTable even_table, uneven_table;
+  for (const auto& [scan, table] : {std::pair(&even, &even_table), std::pair(&uneven, &uneven_table)}) {
+    fill_scan_table(*scan, *table);
+    set_figures(kFigures, {.clutter = ClutterModel::exclusive_beam}, *table);
+  }
+  std::vector<double> north(500), east(500), still(500, 0.0), fast(500, 0.0), plain(500);
+  for (std::size_t i = 0; i < 500; ++i) {
+    const double range = random.uniform(1.0, 149.0), place = random.uniform(-0.49, 89.49);
+    const Eigen::Vector2d at = core::from_polar(range, fan->bearing_at(place));
+    north[i] = at.x(), east[i] = at.y();
+    plain[i] = log_ratio(uneven_table, nullptr, at);
+    EXPECT_NEAR(plain[i],
+                log_ratio(even_table, nullptr, core::from_polar(range, core::radians(place - 44.5))), 1e-6);
+  }
+  add_log_ratio(uneven_table, nullptr, {north, east, still, still}, 0.0, {}, fast);
+  for (std::size_t i = 0; i < 500; ++i) EXPECT_NEAR(fast[i], plain[i], 2e-2);
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ TEST(Spill, RangesScatterAboutTheEchoAndBearingsAreTheBeams) {
   double sum = 0.0, squares = 0.0, number = 0.0;
   for (int k = 0; k < kPings; ++k)
     for (const auto& one : draw_spill(kSpill, ping, {echo_in(ping, 45, 60.0)}, random)) {
-      ASSERT_DOUBLE_EQ(one.measured.bearing, ping.fan.centre(one.beam));
+      ASSERT_DOUBLE_EQ(one.measured.bearing, ping.params.beam_centre(one.beam));
       sum += one.measured.range - 60.0;
       squares += (one.measured.range - 60.0) * (one.measured.range - 60.0);
       ++number;
@@ -44,7 +44,6 @@ TEST(Spill, StopsAtTheEdgeOfTheFanAndGoesRoundAWholeCircle) {
   Ping ping = ping_at_origin();
   EXPECT_EQ(draw_spill(certain, ping, {echo_in(ping, 0, 60.0)}, random).size(), 1u);
   ping.params.bearing_step = core::radians(4.0);
-  ping.fan = BeamFan(ping.params);
   const auto repeated = draw_spill(certain, ping, {echo_in(ping, 0, 60.0)}, random);
   ASSERT_EQ(repeated.size(), 2u);
   EXPECT_EQ(repeated[0].beam, 89);
@@ -60,6 +59,22 @@ TEST(Spill, WeakensTheRepeatedEchoAndLeavesStandingThingsAlone) {
   ASSERT_EQ(repeated.size(), 4u);
   for (const auto& one : repeated) EXPECT_EQ(one.loss_db, std::abs(one.beam - 45) == 1 ? 6.0 : 0.0);
   EXPECT_EQ(draw_spill({{1.0}, 0.0, {}, true}, ping, {rock}, random).size(), 2u);
+}
+
+// Of uneven beams the neighbour is the next beam, wherever it points.
+TEST(Spill, GoesOverTheBeamsOfAnUnevenFan) {
+  Ping ping = ping_at_origin();
+  const std::vector<double> centres{-0.3, -0.1, 0.0, 0.05, 0.4};
+  ping.params.fan = std::make_shared<const core::UnevenFan>(centres);
+  ping.params.num_beams = 5;
+  core::Random random(1000);
+  Spill spill;
+  spill.probabilities = {1.0};
+  const std::vector<BeamReturn> heard{{2, {0.0, 50.0, 1.0}, Source::target}};
+  const auto repeated = draw_spill(spill, ping, heard, random);
+  ASSERT_EQ(repeated.size(), 2u);
+  for (const auto& one : repeated)
+    EXPECT_DOUBLE_EQ(one.measured.bearing, centres[static_cast<std::size_t>(one.beam)]);
 }
 
 }  // namespace

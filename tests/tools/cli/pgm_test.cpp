@@ -16,7 +16,7 @@ void write(const std::string& path, const std::string& bytes) {
 
 TEST(Pgm, ListsByNameAndKeepsGaps) {
   const tests::TemporaryDirectory directory;
-  for (const char* name : {"f07.pgm", "f03.pgm", "f05.pgm", "f11.pgm", "notes.txt"})
+  for (const char* name : {"f07.pgm", "f03.pgm", "f05.pgm", "f11.pgm", "notes.txt", "._f03.pgm", ".f04.pgm"})
     write(directory.path() + "/" + name, "");
   const PgmSequence sequence = list_pgm(directory.path());
   ASSERT_EQ(sequence.paths.size(), 4u);

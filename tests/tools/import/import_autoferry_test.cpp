@@ -115,5 +115,21 @@ TEST(ImportAutoferry, ConvertsTheRealPairAsItWasPublished) {
     EXPECT_EQ(text_of(out.file(name)), text_of(folder + "scenario16/" + name)) << name;
 }
 
+TEST(ImportAutoferry, TruthOfAnotherTimeIsLeftOutAndToldOrRefused) {
+  const std::string detections =
+      R"([{"sensorID": 2, "ownshipPosition": [0, 0], "time": 100.0, "measurement": []},
+          {"sensorID": 2, "ownshipPosition": [0, 0], "time": 102.0, "measurement": []}])";
+  const auto truth = [](double first, double second) {
+    return R"([[{"targetID": 7, "position": [5, 1, 0], "time": )" + std::to_string(first) +
+           R"(}], [{"targetID": 7, "position": [6, 1, 0], "time": )" + std::to_string(second) + "}]]";
+  };
+  EXPECT_TRUE(Imported(detections, truth(99.5, 102.7)).summary.left_out.empty());
+  const Imported one(detections, truth(100.0, 170.0));
+  ASSERT_EQ(one.summary.left_out.size(), 1u);
+  EXPECT_EQ(one.summary.left_out.front(),
+            "1 targets that are more than 5 s from the scan that they stand beside (first: entry 1)");
+  EXPECT_NE(Imported(detections, truth(0.0, 2.0)).error.find("no target is within 5 s"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lookout::tools

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -389,6 +390,47 @@ TEST(ImageIntake, PosesImagesByTheSameRules) {
   intake.add(core::VehicleState{2 * kSecond, {2.0, 0.0, 0.0}, {0.0, 0.0}});
   ASSERT_EQ(north.size(), 1u);
   EXPECT_NEAR(north[0], 1.0, 1e-9);
+}
+
+// Table 1's outer beams, the 88 between them even in the sine: a message can only say the mean.
+TEST_F(ScanIntakeTest, BeamsThatAreEvenInSineAreFoundAndToldOnce) {
+  const double outer = std::sin(core::radians(44.5));
+  for (int i = 0; i < 8; ++i) {
+    core::SonarScan one = scan(i * kSecond, i);
+    for (const int beam : {10 + i, 40 + i})
+      one.returns.push_back({std::asin(outer * (2.0 * beam / 89.0 - 1.0)), 50.0 + i, 1.0});
+    state(i * kSecond);
+    intake_.add(one);
+  }
+  ASSERT_EQ(out_.size(), 8u);
+  EXPECT_FALSE(out_.front().scan.fan);
+  ASSERT_TRUE(out_.back().scan.fan);
+  EXPECT_NEAR(out_.back().scan.fan->place_of(out_.back().scan.returns[0].bearing), 17.0, 1e-6);
+  EXPECT_EQ(std::count_if(reports_.begin(), reports_.end(),
+                          [](const auto& line) { return line.find("even in sine") != std::string::npos; }),
+            1);
+}
+
+// A sonar that turns once in two minutes: a step of its own period is no new clock.
+TEST(SlowScans, FarApartAreOfOneClockWhereTheirPeriodIsStated) {
+  core::SonarParams sonar;
+  sonar.scan_period = 120.0;
+  int accepted = 0, resets = 0;
+  ScanIntake intake(
+      sonar, {[&](const core::PosedScan&) { ++accepted; }, [&] { ++resets; }, [](const std::string&) {}});
+  core::SonarScan scan;
+  scan.num_beams = 90;
+  scan.bearing_step = core::radians(1.0);
+  scan.max_range = 150.0;
+  for (int i = 0; i < 10; ++i) {
+    scan.utime = i * 120 * kSecond;
+    scan.sequence = i;
+    intake.add(core::VehicleState{scan.utime, {}, {0.0, 0.0}});
+    intake.add(scan);
+  }
+  intake.finish();
+  EXPECT_EQ(accepted, 10);
+  EXPECT_EQ(resets, 0);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ void ScanView::look(const core::PosedScan& scan, const core::SonarParams& sonar,
   returns_.clear();
   first_return_.assign(static_cast<std::size_t>(sonar_.num_beams), -1);
   next_return_.clear();
-  const double sector = sonar_.num_beams * sonar_.bearing_step;
+  const double sector = sonar_.sector();
   const double alarms =
       sonar_.point_sensor() ? figures.clutter_per_scan : figures.false_alarm_probability * sonar_.num_beams;
   for (const auto& detection : detections_) {
@@ -68,7 +68,7 @@ void ScanView::look(const core::PosedScan& scan, const core::SonarParams& sonar,
 }
 
 double ScanView::field_area() const {
-  return 0.5 * sonar_.num_beams * sonar_.bearing_step * sonar_.max_range * sonar_.max_range;
+  return 0.5 * sonar_.sector() * sonar_.max_range * sonar_.max_range;
 }
 
 BeamSpread ScanView::spread_of(const GaussianTarget& target) const {
@@ -80,16 +80,16 @@ BeamSpread ScanView::spread_of(const GaussianTarget& target) const {
   const double cross = std::sqrt(variance_along(covariance, {-along.y(), along.x()}));
   const double range = std::max(point.range, kLeastRange * sonar_.max_range);
   const double bearing_sigma = std::min(std::hypot(cross / range, figures_.heading_sigma), std::numbers::pi);
-  const double middle = 0.5 * (sonar_.left_edge() + sonar_.right_edge());
-  const double offset = core::wrap_to_pi(point.bearing - middle) + middle - sonar_.left_edge();
-  return {offset / sonar_.bearing_step, std::max(bearing_sigma / sonar_.bearing_step, kLeastShare),
+  const double place = sonar_.place_of(point.bearing);
+  const double width = sonar_.beam_width(static_cast<int>(place));
+  return {place, std::max(bearing_sigma / width, kLeastShare),
           normal_cdf((sonar_.max_range - point.range) / std::sqrt(range_variance))};
 }
 
 /// The beam of an index that may lie beyond the sector: -1 there, unless the sector is the whole circle.
 int ScanView::beam_at(int index) const {
   if (index >= 0 && index < sonar_.num_beams) return index;
-  const double sector = sonar_.num_beams * sonar_.bearing_step;
+  const double sector = sonar_.sector();
   if (sector < 2.0 * std::numbers::pi - 0.5 * sonar_.bearing_step) return -1;
   return (index % sonar_.num_beams + sonar_.num_beams) % sonar_.num_beams;
 }
