@@ -43,12 +43,29 @@ ClutterLearning::ClutterLearning(const ClutterLearningParams& params, const core
 void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   if (!params_.map.enabled) return;
   const ScanTable& newest = likelihood.scans().newest();
-  spill_.learn(newest, likelihood.scans().figures().false_alarm_probability);
-  likelihood.group(0, spill_);
   if (background_.empty()) reserve(newest, likelihood.scans().capacity());
   background_[0].resize(newest.background.size());
-  map_.price(newest, background_rate(likelihood), background_[0]);
+  const double rate = background_rate(likelihood);
+  std::vector<float>& background = background_[0];
+  // Neighbours are first taken for one echo, and priced at its place: by their own places the trail of an
+  // echo that spills would pass for dense clutter.
+  background.assign(background.size(), 1.0F);
+  likelihood.group(0, spill_, background);
+  map_.price(newest, rate, background);
+  spill_.learn(newest, likelihood.scans().figures().false_alarm_probability, background);
+  likelihood.group(0, spill_, background);
+  map_.price(newest, rate, background);
+  group(0, likelihood);
   likelihood.set_background(0, background_[0]);
+}
+
+// Returns that one echo may have made count once.
+void ClutterLearning::group(int age, ScanLikelihood& likelihood) {
+  std::vector<float>& background = background_[static_cast<std::size_t>(age)];
+  likelihood.group(age, spill_, background);
+  const ScanTable& scan = likelihood.scans().at_age(age);
+  if (scan.clutter == ClutterModel::point) return;
+  for (std::size_t slot = 0; slot < scan.share.size(); ++slot) background[slot] *= scan.share[slot];
 }
 
 std::optional<core::ClutterGrid> ClutterLearning::grid(const ScanLikelihood& likelihood) const {
@@ -140,8 +157,8 @@ void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
     const std::vector<float>& before = scans.at_age(age).background;
     std::vector<float>& now = background_[static_cast<std::size_t>(age)];
     now.resize(before.size());
-    likelihood.group(age, spill_);
     map_.price(scans.at_age(age), rate, now);
+    group(age, likelihood);
     const auto differs = [&](float one, float other) {
       return std::abs(one - other) > static_cast<float>(params_.least_change) * other;
     };

@@ -40,6 +40,7 @@ class ClutterLearning {
   double standing_share() const { return map_.standing_share(); }  ///< See ClutterMap.
 
  private:
+  void group(int age, ScanLikelihood& likelihood);
   void reserve(const ScanTable& scan, int scans);
   template <class Condition>
   bool mark(std::span<const TargetTrack> tracks, const Condition& holds);

@@ -24,6 +24,57 @@ double bearing_sigma_at(const ScanTable& scan, int beam, const SensorFigures& fi
   return figures.bearing_sigma * scan.fan->width(beam) / scan.fan->mean_step();
 }
 
+// A return that may be a target's.
+struct NearReturn {
+  int claim_index = 0;                // Beam, or index of the detection.
+  double range = 0.0, azimuth = 0.0;  // [m], [rad].
+  double membership = 0.0;            // Probability that it is, against clutter.
+  double background = 1.0;            // See ScanTable.
+  double bearing_sigma = 0.0;         // Of the return [rad].
+};
+
+// Where a target is seen from a scan.
+struct SeenAt {
+  double range = 0.0, azimuth = 0.0;  // [m], [rad].
+};
+
+template <class Use>
+void take_near(const ScanTable& scan, const SensorFigures& figures, const SeenAt& target, NearReturn one,
+               Use use) {
+  const double dr = (one.range - target.range) / figures.range_sigma;
+  const double db = core::wrap_to_pi(one.azimuth - target.azimuth) / one.bearing_sigma;
+  const double square = dr * dr + db * db;
+  if (square > kMembershipGate) return;
+  const double own = static_cast<double>(scan.gain) * one.background * std::exp(-0.5 * square);
+  one.membership = own / (1.0 + own);
+  use(one);
+}
+
+// Calls `use` for each return of a scan that is near a target.
+template <class Use>
+void for_each_near(const ScanTable& scan, const SensorFigures& figures, const SeenAt& target, Use use) {
+  if (scan.clutter == ClutterModel::point) {
+    for (std::size_t i = 0; i < scan.detections.size(); ++i)
+      take_near(scan, figures, target,
+                {static_cast<int>(i), scan.detections[i].range, scan.detections[i].azimuth, 0.0,
+                 static_cast<double>(scan.background[i]), figures.bearing_sigma},
+                use);
+    return;
+  }
+  const double middle = 0.5 * (scan.num_beams - 1);
+  const int beam = static_cast<int>(
+      std::lround(scan.beams_from_middle(core::wrap_to_pi(target.azimuth - scan.axis)) + middle));
+  const int reach = 1 + scan.blur_reach;
+  for (int b = std::max(0, beam - reach); b <= std::min(scan.num_beams - 1, beam + reach); ++b) {
+    const std::size_t slot = static_cast<std::size_t>(b) + 1;
+    if (scan.range[slot] > 0.0F)
+      take_near(scan, figures, target,
+                {b, static_cast<double>(scan.range[slot]), scan.axis + scan.bearing_of_beams(b - middle), 0.0,
+                 static_cast<double>(scan.background[slot]), bearing_sigma_at(scan, b, figures)},
+                use);
+  }
+}
+
 }  // namespace
 
 void LineFit::add(const Eigen::Vector2d& position, double seconds, double azimuth, double range_variance,
@@ -41,10 +92,24 @@ void LineFit::add(const Eigen::Vector2d& position, double seconds, double azimut
   weighted.tail<2>() += seconds * pull;
 }
 
-int birth_window(const ScanHistory& scans, const BirthParams& params) {
-  const double nats = std::max(nats_per_scan(scans.figures(), scans.newest()), params.least_nats);
+int birth_window(const ScanHistory& scans, const BirthParams& params, double background) {
+  const double nats = std::max(nats_per_scan(scans.figures(), scans.newest(), background), params.least_nats);
   const double enough = std::ceil(params.enough_nats / nats);
   return static_cast<int>(std::min<double>(enough, oldest_within(params.window_s, scans)));
+}
+
+double background_along(const Eigen::Vector4d& trajectory, const ScanHistory& scans, int oldest) {
+  double sum = 0.0, members = 0.0;
+  for (int age = 0; age <= oldest; ++age) {
+    const ScanTable& scan = scans.at_age(age);
+    const Eigen::Vector2d at = trajectory.head<2>() + scans.seconds_at_age(age) * trajectory.tail<2>() -
+                               Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
+    for_each_near(scan, scans.figures(), {at.norm(), std::atan2(at.y(), at.x())}, [&](const NearReturn& one) {
+      members += one.membership;
+      sum += one.membership * one.background;
+    });
+  }
+  return members > 0.0 ? sum / members : 1.0;
 }
 
 PairSeeds::PairSeeds(const BirthParams& params) : params_(params) {
@@ -62,7 +127,7 @@ std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const 
   collect_free_detections(likelihood);
   pair_detections();
   if (scores_.empty()) return seeds_;
-  const int window = birth_window(*scans_, params_);
+  const int window = longest_window();
   const int first_look = std::min(window, oldest_within(params_.first_look_s, *scans_));
   score(likelihood, first_look);
   if (window > first_look) {
@@ -70,8 +135,15 @@ std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const 
     score(likelihood, window);
   }
   refine_and_merge(likelihood);
-  weigh(likelihood, window);
+  weigh(likelihood);
   return seeds_;
+}
+
+// Where false returns are dense, a scan says less, and a target is weighed over more of them.
+int PairSeeds::longest_window() const {
+  const ScanTable& newest = scans_->newest();
+  const float densest = *std::min_element(newest.background.begin(), newest.background.end());
+  return birth_window(*scans_, params_, static_cast<double>(densest));
 }
 
 void PairSeeds::collect_free_detections(const ScanLikelihood& likelihood) {
@@ -210,13 +282,26 @@ bool PairSeeds::refine(const ScanLikelihood& likelihood, std::size_t index, Birt
   seed.guess.mean.head<4>() = state;
   seed.guess.covariance.topLeftCorner<4, 4>() = covariance;
   seed.start_age = scores_[index].oldest;
+  seed.window = birth_window(*scans_, params_, background_along(state, *scans_, seed.start_age));
   seed.log_odds = 0.5 * std::log(covariance.determinant()) + 2.0 * std::log(2.0 * std::numbers::pi);
   return true;
 }
 
+// Begins the evidence of those seeds whose window begins at the scan of this age.
+void PairSeeds::begin_lines(ScanLikelihood& likelihood, int age) {
+  const auto begins = [age](const BirthSeed& seed) { return seed.window == age; };
+  if (std::none_of(seeds_.begin(), seeds_.end(), begins)) return;
+  begun_.resize(seeds_.size());
+  likelihood.begin(lines_.span(), scans_->seconds_at_age(age), age, begun_);
+  for (std::size_t k = 0; k < seeds_.size(); ++k)
+    if (begins(seeds_[k])) line_[k] = begun_[k];
+}
+
 // Adds to the odds of the seeds the evidence of all scans for their refined trajectories, summed over the
 // scans at which the target may have appeared. Sorts them, the most probable first.
-void PairSeeds::weigh(ScanLikelihood& likelihood, int oldest) {
+void PairSeeds::weigh(ScanLikelihood& likelihood) {
+  int oldest = 0;
+  for (const BirthSeed& seed : seeds_) oldest = std::max(oldest, seed.window);
   lines_.resize(seeds_.size());
   for (std::size_t k = 0; k < seeds_.size(); ++k) {
     const Trajectory& mean = seeds_[k].guess.mean;
@@ -225,17 +310,17 @@ void PairSeeds::weigh(ScanLikelihood& likelihood, int oldest) {
     lines_.north_velocity[k] = mean[2];
     lines_.east_velocity[k] = mean[3];
   }
-  step_.resize(seeds_.size());
-  likelihood.begin(lines_.span(), scans_->seconds_at_age(oldest), oldest, step_);
+  line_.assign(seeds_.size(), 0.0);
   for (int age = oldest; age >= 0; --age) {
-    add_births(likelihood.log_birth(age), step_);
+    begin_lines(likelihood, age);
+    add_births(likelihood.log_birth(age), line_);
     add_log_ratio(scans_->at_age(age), likelihood.mask(age, ScanLikelihood::kNobody, -1), lines_.span(),
-                  scans_->seconds_at_age(age), params_.line_tolerance, step_);
+                  scans_->seconds_at_age(age), params_.line_tolerance, line_);
   }
   const double log_density = prior_.log_standing(scans_->newest());
   for (std::size_t k = 0; k < seeds_.size(); ++k)
     seeds_[k].log_odds +=
-        step_[k] + log_density + prior_.log_speed(seeds_[k].guess.mean.segment<2>(2).norm());
+        line_[k] + log_density + prior_.log_speed(seeds_[k].guess.mean.segment<2>(2).norm());
   std::sort(seeds_.begin(), seeds_.end(),
             [](const BirthSeed& a, const BirthSeed& b) { return a.log_odds > b.log_odds; });
 }
@@ -246,40 +331,14 @@ void PairSeeds::add_members(const ScanLikelihood& likelihood, int age, const Eig
   const ScanTable& scan = scans_->at_age(age);
   const SensorFigures& figures = scans_->figures();
   const double seconds = scans_->seconds_at_age(age);
-  const Eigen::Vector2d at = state.head<2>() + seconds * state.tail<2>();
-  const double dn = at.x() - scan.T_earth_sonar.north, de = at.y() - scan.T_earth_sonar.east;
-  const double range = std::hypot(dn, de);
-  const double azimuth = std::atan2(de, dn);
-  const auto add = [&](int claim_index, double return_range, double return_azimuth, float background) {
-    const double bearing_sigma = bearing_sigma_at(scan, claim_index, figures);
-    const double dr = (return_range - range) / figures.range_sigma;
-    const double db = core::wrap_to_pi(return_azimuth - azimuth) / bearing_sigma;
-    const double square = dr * dr + db * db;
-    if (square > kMembershipGate || likelihood.explained(age, claim_index, return_range) >= params_.explained)
-      return;
-    const double own = static_cast<double>(scan.gain * background) * std::exp(-0.5 * square);
-    const double cross = return_range * bearing_sigma;
-    fit.add({scan.T_earth_sonar.north + return_range * std::cos(return_azimuth),
-             scan.T_earth_sonar.east + return_range * std::sin(return_azimuth)},
-            seconds, return_azimuth, figures.range_sigma * figures.range_sigma, cross * cross,
-            own / (1.0 + own));
-  };
-  if (scan.clutter == ClutterModel::point) {
-    for (std::size_t i = 0; i < scan.detections.size(); ++i)
-      add(static_cast<int>(i), scan.detections[i].range, scan.detections[i].azimuth, scan.background[i]);
-    return;
-  }
-  const int beam = beam_at(scan, at.x(), at.y());
-  const double first_azimuth = scan.axis - 0.5 * (scan.num_beams - 1) * scan.bearing_step;
-  const int reach = 1 + scan.blur_reach;
-  for (int b = std::max(0, beam - reach); b <= std::min(scan.num_beams - 1, beam + reach); ++b) {
-    const float range_there = scan.range[static_cast<std::size_t>(b) + 1];
-    if (range_there > 0.0F)
-      add(b, static_cast<double>(range_there),
-          scan.uneven() ? scan.axis + scan.bearing_of_beams(b - 0.5 * (scan.num_beams - 1))
-                        : first_azimuth + b * scan.bearing_step,
-          scan.background[static_cast<std::size_t>(b) + 1]);
-  }
+  const Eigen::Vector2d sonar(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
+  const Eigen::Vector2d at = state.head<2>() + seconds * state.tail<2>() - sonar;
+  for_each_near(scan, figures, {at.norm(), std::atan2(at.y(), at.x())}, [&](const NearReturn& one) {
+    if (likelihood.explained(age, one.claim_index, one.range) >= params_.explained) return;
+    const double cross = one.range * one.bearing_sigma;
+    fit.add(sonar + core::from_polar(one.range, one.azimuth), seconds, one.azimuth,
+            figures.range_sigma * figures.range_sigma, cross * cross, one.membership);
+  });
 }
 
 }  // namespace lookout::csht

@@ -14,12 +14,18 @@ namespace lookout::csht {
 struct BirthSeed {
   CloudMoments guess;     ///< At the newest scan; accelerations zero.
   int start_age = 0;      ///< Age of the oldest scan that speaks for it.
+  int window = 0;         ///< Age of the oldest scan that it is weighed over, see `birth_window`.
   double log_odds = 0.0;  ///< Of existence [nats]: the evidence by Laplace's method around the guess.
 };
 
 /// Age of the oldest scan that a new target is weighed over: so many scans that they hold `enough_nats` of
-/// information on a target in view, but no older than `window_s`.
-int birth_window(const ScanHistory& scans, const BirthParams& params);
+/// information on a target in view, but no older than `window_s`. @param background share of the false
+/// returns around it that are the uniform background's, in (0, 1]: the less, the longer.
+int birth_window(const ScanHistory& scans, const BirthParams& params, double background = 1.0);
+
+/// That share around a trajectory, [m, m/s] at the newest scan: the mean over its likely returns of the scans
+/// up to age `oldest`; 1 where it has none.
+double background_along(const Eigen::Vector4d& trajectory, const ScanHistory& scans, int oldest);
 
 /// Weighted least squares for a trajectory at constant velocity: position [m] and velocity [m/s] at the
 /// newest scan, north and east each. [BarShalom2001] Sec. 3.4.
@@ -64,7 +70,9 @@ class PairSeeds {
   void score(ScanLikelihood& likelihood, int oldest);
   void keep_best(std::size_t count);
   void refine_and_merge(const ScanLikelihood& likelihood);
-  void weigh(ScanLikelihood& likelihood, int oldest);
+  int longest_window() const;
+  void begin_lines(ScanLikelihood& likelihood, int age);
+  void weigh(ScanLikelihood& likelihood);
   bool explained(const ScanLikelihood& likelihood, int age, std::size_t index) const;
   bool refine(const ScanLikelihood& likelihood, std::size_t index, BirthSeed& seed) const;
   void add_members(const ScanLikelihood& likelihood, int age, const Eigen::Vector4d& state,
@@ -81,7 +89,8 @@ class PairSeeds {
   int scored_to_ = -1;  ///< Age of the oldest scan in `sum_`.
   std::vector<std::size_t> order_;
   std::vector<BirthSeed> seeds_;
-  TrajectoryCloud lines_;  ///< Of the seeds.
+  TrajectoryCloud lines_;             ///< Of the seeds,
+  std::vector<double> line_, begun_;  ///< their evidence, and that of those that begin at one scan [nats].
 };
 
 }  // namespace lookout::csht

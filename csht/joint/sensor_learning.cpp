@@ -42,6 +42,9 @@ bool SensorLearning::changed(const SensorFigures& before) const {
   const auto differ = [this](double a, double b) {
     return std::abs(a - b) > params_.least_change * std::min(a, b);
   };
+  if (std::abs(now.range_loss - before.range_loss) > params_.least_change ||
+      std::abs(now.tail_share - before.tail_share) > params_.least_change)
+    return true;
   return differ(now.miss_probability, before.miss_probability) ||
          differ(now.false_alarm_probability, before.false_alarm_probability) ||
          differ(now.clutter_per_scan, before.clutter_per_scan) || differ(now.range_sigma, before.range_sigma);

@@ -35,15 +35,23 @@ std::span<const int> TargetSearch::find(JointScene& scene) {
 
 std::span<const int> TargetSearch::weigh(std::span<const BirthSeed> seeds, JointScene& scene) {
   prepare(scene);
-  for (const BirthSeed& seed : seeds)
+  for (BirthSeed seed : seeds) {
+    seed.window = window_of(seed.guess, scene.scans());
     if (!known(seed, scene)) begin(seed, scene);
+  }
   return found_;
 }
 
 void TargetSearch::prepare(const JointScene& scene) {
   found_.clear();
   log_density_ = scene.prior.log_standing(scene.scans().newest());
-  window_ = {0, birth_window(scene.scans(), params_), true};
+}
+
+// Age of the oldest scan that a target at `moments` is weighed over.
+int TargetSearch::window_of(const CloudMoments& moments, const ScanHistory& scans) const {
+  const Eigen::Vector4d trajectory = moments.mean.head<4>();
+  const double background = background_along(trajectory, scans, birth_window(scans, params_));
+  return birth_window(scans, params_, background);
 }
 
 // Whether a hypothesis stands for the seed already. A tentative one that is much less probable is released.
@@ -63,7 +71,7 @@ bool TargetSearch::draw(const BirthSeed& seed, double& log_odds, JointScene& sce
   const double least = hypotheses_.tentative_log_odds - log_density_;
   SamplingTask task;
   task.guess = seed.guess;
-  task.ages = window_;
+  task.ages = {0, seed.window, true};
   task.samples = params_.samples;
   task.rounds = params_.rounds;
   task.give_up_below = least - params_.hopeless;
@@ -88,7 +96,7 @@ void TargetSearch::begin(const BirthSeed& seed, JointScene& scene) {
   std::swap(track->cloud, scene.fresh);
   track->begin({.log_odds = std::min(log_odds, hypotheses_.settled_log_odds),
                 .log_density = log_density_,
-                .first_scan = scans.pushed() - 1 - window_.oldest,
+                .first_scan = scans.pushed() - 1 - seed.window,
                 .first_utime = scans.at_age(seed.start_age).utime,
                 .utime = scene.now()});
   claim(*track, scene);
@@ -115,7 +123,7 @@ void TargetSearch::revise(TargetTrack& track, JointScene& scene) {
   prepare(scene);
   SamplingTask task;
   task.guess = track.moments;
-  task.ages = window_;
+  task.ages = {0, window_of(track.moments, scene.scans()), true};
   task.self = scene.slot_of(track);
   task.samples = cloud_.trajectories;
   task.rounds = params_.rounds;
@@ -123,7 +131,7 @@ void TargetSearch::revise(TargetTrack& track, JointScene& scene) {
   std::swap(track.cloud, scene.fresh);
   track.moments = track.cloud.moments();
   track.log_odds = std::min(result.log_evidence + log_density_, hypotheses_.settled_log_odds);
-  track.first_scan = scene.scans().pushed() - 1 - window_.oldest;
+  track.first_scan = scene.scans().pushed() - 1 - task.ages.oldest;
   track.claims_are_fresh = false;
   claim(track, scene);
 }

@@ -36,6 +36,7 @@ class TargetSearch {
 
  private:
   void prepare(const JointScene& scene);
+  int window_of(const CloudMoments& moments, const ScanHistory& scans) const;
   bool known(const BirthSeed& seed, JointScene& scene) const;
   bool draw(const BirthSeed& seed, double& log_odds, JointScene& scene) const;
   void begin(const BirthSeed& seed, JointScene& scene);
@@ -45,7 +46,6 @@ class TargetSearch {
   HypothesisParams hypotheses_;
   TrajectoryCloudParams cloud_;
   double log_density_ = 0.0;  ///< ln of the prior density of targets at the newest scan.
-  AgeSpan window_;            ///< Scans that a seed is weighed over.
   PairSeeds seeds_;
   BeamClaims claims_;
   std::vector<int> found_;

@@ -4,18 +4,16 @@
 #include <cmath>
 #include <limits>
 
-#include "csht/likelihood/range_gate.hpp"
 #include "csht/likelihood/scan_table.hpp"
 
 namespace lookout::csht {
 namespace {
 
 float ratio_at(const ScanTable& table, std::size_t slot, float range) {
-  const float offset = (range - table.range[slot]) * table.inverse_sigma;
-  const auto lost =
-      static_cast<float>(lost_share(table.max_range, static_cast<double>(table.inverse_sigma), range));
-  return table.base[slot] + table.lost[slot] * lost +
-         table.gain * table.background[slot] * std::exp(-0.5F * offset * offset);
+  const double at = static_cast<double>(range);
+  return table.base[slot] +
+         table.lost[slot] * static_cast<float>(lost_of(table, static_cast<double>(table.inverse_sigma), at)) +
+         static_cast<float>(peak_of(table, slot, at));
 }
 
 }  // namespace

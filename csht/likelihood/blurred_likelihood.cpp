@@ -15,6 +15,8 @@ using Lane = std::array<float, kBlurBlock>;
 
 // The normal distribution function as a logistic one, within 0.01 everywhere: the slope of its exponent.
 constexpr float kLogisticSlope = 1.702F;
+constexpr float kTailExponent =
+    static_cast<float>(-0.5 / (SensorFigures::kTailScale * SensorFigures::kTailScale));
 constexpr float kLeastRange = 0.1F;  // [m]; nearer, a position error turns the bearing all around.
 
 struct SlotLanes {
@@ -23,13 +25,14 @@ struct SlotLanes {
 
 struct Block {
   float gain, inverse_sigma;
+  float tail;      // Height of the wider peak over that of the narrow one; 0: none.
   Lane range;      // From the sonar [m].
   Lane beam;       // Where the stated pose puts the target, in slots and parts of one.
   Lane steepness;  // Of the logistic function over beams.
   Lane below;      // Share of the slots passed so far.
   Lane mixed;      // Their part of the likelihood ratio.
-  Lane lost;       // Probability that noise takes a return out of the range gate; set only if `loses`.
-  bool loses;      // Noise does so for some of the hypotheses.
+  Lane lost;       // Probability that range takes the echo, or noise the return out of the gate.
+  Lane heard;      // Probability that range leaves the echo.
   std::array<int, kBlurBlock> slot;
   SlotLanes lanes;
 };
@@ -84,8 +87,8 @@ void load(const ScanTable& scan, const BeamMask* mask, int offset, std::size_t c
     b.slot[i] = static_cast<int>(std::floor(b.beam[i])) + offset;
     const auto slot = static_cast<std::size_t>(slot_of(scan, b.slot[i]));
     b.lanes.range[i] = scan.range[slot];
-    b.lanes.gain[i] = b.gain * scan.background[slot];
-    b.lanes.base[i] = b.loses ? scan.base[slot] + scan.lost[slot] * b.lost[i] : scan.base[slot];
+    b.lanes.gain[i] = b.gain * scan.background[slot] * b.heard[i];
+    b.lanes.base[i] = scan.base[slot] + scan.lost[slot] * b.lost[i];
     if constexpr (kMasked) {
       b.lanes.mask_range[i] = mask->range[slot];
       b.lanes.mask_share[i] = mask->share[slot];
@@ -96,7 +99,9 @@ void load(const ScanTable& scan, const BeamMask* mask, int offset, std::size_t c
 
 inline __attribute__((always_inline)) float plain_ratio(const Block& b, std::size_t i) {
   const float offset = (b.range[i] - b.lanes.range[i]) * b.inverse_sigma;
-  return b.lanes.base[i] + b.lanes.gain[i] * fast_exp(-0.5F * offset * offset);
+  float peak = fast_exp(-0.5F * offset * offset);
+  if (b.tail > 0.0F) peak += b.tail * fast_exp(kTailExponent * offset * offset);
+  return b.lanes.base[i] + b.lanes.gain[i] * peak;
 }
 
 inline __attribute__((always_inline)) float masked_ratio(const Block& b, std::size_t i) {
@@ -149,13 +154,10 @@ Placed place(const ScanTable& scan, const Eigen::Vector2d& p_earth, const Tolera
 double slot_ratio(const ScanTable& scan, const BeamMask* mask, const Tolerance& tolerance, int number,
                   double range) {
   const auto slot = static_cast<std::size_t>(slot_of(scan, number));
-  const double offset = (range - static_cast<double>(scan.range[slot])) *
-                        static_cast<double>(scan.inverse_sigma) / tolerance.sigma_scale;
-  const double lost =
-      lost_share(scan.max_range, static_cast<double>(scan.inverse_sigma) / tolerance.sigma_scale, range);
-  const double ratio = static_cast<double>(scan.base[slot]) + static_cast<double>(scan.lost[slot]) * lost +
-                       static_cast<double>(scan.gain * scan.background[slot]) / tolerance.sigma_scale *
-                           std::exp(-0.5 * offset * offset);
+  const double inverse_sigma = static_cast<double>(scan.inverse_sigma) / tolerance.sigma_scale;
+  const double ratio = static_cast<double>(scan.base[slot]) +
+                       static_cast<double>(scan.lost[slot]) * lost_of(scan, inverse_sigma, range) +
+                       peak_of(scan, slot, range, tolerance.sigma_scale);
   if (mask == nullptr) return ratio;
   const auto share = static_cast<double>(mask->share[slot]);
   return range > static_cast<double>(mask->range[slot]) ? share + (1.0 - share) * ratio
@@ -186,7 +188,11 @@ void find_blurred_ratios(const ScanTable& scan, const BeamMask* mask, std::span<
   Block block;
   block.gain = scan.gain * scale;
   block.inverse_sigma = scan.inverse_sigma * scale;
-  block.loses = find_lost_shares(static_cast<float>(scan.max_range), block.inverse_sigma, range, block.lost);
+  block.tail = scan.tail_gain / scan.gain;
+  if (!scan.range_gate ||
+      !find_lost_shares(static_cast<float>(scan.max_range), block.inverse_sigma, range, block.lost))
+    std::fill_n(block.lost.begin(), count, 0.0F);
+  add_range_loss(scan.range_loss, range, {block.lost.data(), count}, {block.heard.data(), count});
   start(scan, range.data(), bearing.data(), count, soft_variance(tolerance), block);
   if (scan.uneven()) spread_by_width(scan, count, soft_variance(tolerance), block);
   for (int k = -scan.blur_reach; k <= scan.blur_reach; ++k) {

@@ -14,11 +14,11 @@ namespace {
 constexpr double kMicroseconds = 1e6;
 // Background's share around a return from which on a track is believed to have made it.
 constexpr double kClear = 0.5;
-// A frame around a place, and its middle: half widths in beams and in reaches of the kernel.
-constexpr double kFrameBeams = 6.0, kFrameReaches = 2.0, kMiddleBeams = 2.0, kMiddleReaches = 1.0;
 // A kernel's counts are no Poisson numbers: divided by this, the mean of its squares over its mean, their
 // variance equals their mean. Of a triangle it is 2/3, of a product of two 4/9.
 constexpr double kTriangle = 2.0 / 3.0;
+// Standing things are often sharper than the sonar's error: the earth's kernel has a second, finer one in it.
+constexpr double kFine = 1.0 / 3.0;
 
 // A triangle of height 1 and half width 1.
 double triangle(double x) {
@@ -54,6 +54,7 @@ void validate(const ClutterMapParams& p) {
   core::require(p.memory_time > 0.0, "memory_time must be > 0", p.memory_time);
   core::require(p.leave_out_time > 0.0, "leave_out_time must be > 0", p.leave_out_time);
   core::require(p.leave_out_scans >= 0.0, "leave_out_scans must be >= 0", p.leave_out_scans);
+  core::require(p.spot_times >= 1.0, "spot_times must be >= 1", p.spot_times);
   core::require(p.range_reach > 0.0, "range_reach must be > 0", p.range_reach);
   core::require(p.sonar_beams > 0.0, "sonar_beams must be > 0", p.sonar_beams);
   core::require(p.earth_beams > 0.0, "earth_beams must be > 0", p.earth_beams);
@@ -83,6 +84,7 @@ ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& 
       leave_out_s_(sensor_seconds(params.leave_out_time, params.leave_out_scans, sonar)),
       spacing_us_(microseconds(params.memory_time * unit_of_time(sonar) / params.memory_looks)),
       leave_out_us_(microseconds(leave_out_s_)),
+      spot_us_(microseconds(params.spot_times * leave_out_s_)),
       sonar_dense_(params.sonar_learning, params.sonar_prior.share),
       earth_dense_(params.earth_learning, params.standing_share) {
   if (params.enabled) reserve();
@@ -105,9 +107,17 @@ void ClutterMap::reserve() {
   points_.reserve(most_looks * most_returns);
 }
 
+// Returns of one echo are one, at their mean bearing.
 ClutterMap::Place ClutterMap::place_of(const ScanTable& scan, const core::Detection& detection) {
-  return {detection.p_earth, scan.beams_from_middle(core::wrap_to_pi(detection.azimuth - scan.axis)),
-          detection.range};
+  const auto slot = static_cast<std::size_t>(detection.beam + 1);
+  const bool in_beam = detection.beam >= 0 && detection.beam < scan.num_beams;
+  const double beam = scan.beams_from_middle(core::wrap_to_pi(detection.azimuth - scan.axis));
+  if (in_beam && scan.clutter != ClutterModel::point && scan.echo_offset[slot] != 0.0F) {
+    const double middle = beam + static_cast<double>(scan.echo_offset[slot]);
+    const double azimuth = scan.axis + scan.bearing_of_beams(middle);
+    return {detection.p_earth_sonar + core::from_polar(detection.range, azimuth), middle, detection.range};
+  }
+  return {detection.p_earth, beam, detection.range};
 }
 
 void ClutterMap::add(const ScanTable& scan) {
@@ -123,6 +133,16 @@ void ClutterMap::add(const ScanTable& scan) {
   for (std::size_t j = 0; j < scan.detections.size(); j += stride)
     take_return(scan, scan.detections[j], static_cast<float>(stride), look);
   sort_returns();
+  find_typical_rate(scan);
+}
+
+void ClutterMap::find_typical_rate(const ScanTable& scan) {
+  typical_.begin(scan.num_beams);
+  for (const Look& look : looks_)
+    for (const BinnedPoint& p : look.sonar)
+      typical_.take(static_cast<double>(p.x) / scan.num_beams + 0.5,
+                    static_cast<double>(p.y) * range_reach_ / scan.max_range, p.weight);
+  typical_.end(static_cast<double>(looks_.size()));
 }
 
 // The look that takes the newest scan: a new one or, where there are enough, the oldest, with its buffers.
@@ -154,6 +174,7 @@ void ClutterMap::take_return(const ScanTable& scan, const core::Detection& detec
 }
 
 void ClutterMap::discount(const ScanTable& scan, std::span<const double> own, double rate) {
+  rate = typical_.at_most(rate);
   const auto look =
       std::find_if(looks_.begin(), looks_.end(), [&](const Look& l) { return l.utime == scan.utime; });
   if (look == looks_.end() || look->earth.size() != own.size()) return;
@@ -178,11 +199,11 @@ void ClutterMap::sort_returns() {
 
 void ClutterMap::mark_looks(const ScanTable& scan) const {
   counted_.clear();
-  num_counted_ = num_recent_ = 0.0;
+  num_counted_ = num_others_ = 0.0;
   for (const Look& look : looks_) {
     counted_.push_back(std::abs(look.utime - scan.utime) > leave_out_us_ ? 1 : 0);
     num_counted_ += counted_.back();
-    num_recent_ += std::abs(look.utime - scan.utime) <= leave_out_us_ ? 1.0 : 0.0;
+    num_others_ += look.utime != scan.utime ? 1.0 : 0.0;
   }
 }
 
@@ -193,8 +214,7 @@ void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& b
     const std::optional<std::size_t> slot = slot_of(scan, j);
     if (!slot) continue;
     const Place place = place_of(scan, scan.detections[j]);
-    const auto share = static_cast<float>(looks_.empty() ? 1.0 : background_at(scan, place, rate));
-    background[*slot] = scan.clutter == ClutterModel::point ? share : share * scan.share[*slot];
+    background[*slot] = static_cast<float>(looks_.empty() ? 1.0 : background_at(scan, place, rate));
   }
   if (!scan.whole_circle || scan.clutter == ClutterModel::point) return;
   background[0] = background[static_cast<std::size_t>(scan.num_beams)];
@@ -240,41 +260,43 @@ std::vector<ClutterMap::PricedPlace> ClutterMap::places(const ScanTable& scan, d
 }
 
 double ClutterMap::background_at(const ScanTable& scan, const Place& place, double rate) const {
-  return 1.0 / (1.0 + std::max({sonar_excess(scan, place, rate).density(),
-                                recent_excess(scan, place, rate).density(),
-                                earth_excess(scan, place, rate).density()}));
+  const double base = typical_.at_most(rate);
+  const double density =
+      1.0 + std::max({spot_excess(scan, place, base).density(), frame_excess(scan, place, base).density(),
+                      earth_excess(scan, place, base).density()});
+  return std::min(1.0, rate / (base * density));
 }
 
-// What lies on both sides of a place, along the beams or across them, in the scans near in time: it needs no
-// past. A moving target's trail lies on one side alone.
-Excess ClutterMap::recent_excess(const ScanTable& scan, const Place& place, double rate) const {
+// What lies around a place in all scans but its own: it needs no past, and a target that moves along with the
+// sonar does not price its own returns.
+Excess ClutterMap::frame_excess(const ScanTable& scan, const Place& place, double rate) const {
+  FrameCounts frame;
   const double y = place.range / range_reach_;
-  std::array<double, 4> counts{};
-  sonar_.visit(place.beam, y, kFrameBeams, kFrameReaches, [&](const BinnedPoint& p) {
-    if (std::abs(looks_[static_cast<std::size_t>(p.look - looks_.front().number)].utime - scan.utime) >
-        leave_out_us_)
-      return;
-    const double across = static_cast<double>(p.x) - place.beam, along = static_cast<double>(p.y) - y;
-    const double a = std::abs(across), b = std::abs(along);
-    const auto weight = static_cast<double>(p.weight);
-    if (a > kMiddleBeams && a <= kFrameBeams && b <= kMiddleReaches) counts[across < 0.0 ? 0 : 1] += weight;
-    if (b > kMiddleReaches && b <= kFrameReaches && a <= kMiddleBeams) counts[along < 0.0 ? 2 : 3] += weight;
+  sonar_.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
+    const std::int64_t utime = utime_of(p);
+    if (utime != scan.utime)
+      frame.take(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y,
+                 static_cast<double>(p.weight), utime < scan.utime);
   });
-  const double cell = num_recent_ * rate / scan.num_beams * range_reach_ / scan.max_range;
-  const double side = cell * (kFrameBeams - kMiddleBeams) * 2.0 * kMiddleReaches;
-  const double end = cell * (kFrameReaches - kMiddleReaches) * 2.0 * kMiddleBeams;
+  const double half = scan.whole_circle ? scan.num_beams : 0.5 * scan.num_beams;
+  const FrameCounts::Border border{
+      .left = place.beam - FrameCounts::kToSide<-half, .right = place.beam + FrameCounts::kToSide> half,
+      .near = y<FrameCounts::kToEnd, .far = y + FrameCounts::kToEnd> scan.max_range / range_reach_};
+  const double per_area = num_others_ * rate / scan.num_beams * range_reach_ / scan.max_range;
   const ExcessPrior prior = sonar_prior();
-  const Excess beside = excess(2.0 * std::min(counts[0], counts[1]), 2.0 * side, prior);
-  const Excess around = excess(2.0 * std::min(counts[2], counts[3]), 2.0 * end, prior);
-  return beside.density() > around.density() ? beside : around;
+  const Excess across = excess(frame.beside(border), per_area * FrameCounts::kBesideArea, prior);
+  const Excess along = excess(frame.around(border), per_area * FrameCounts::kAroundArea, prior);
+  return across.density() > along.density() ? across : along;
 }
 
-Excess ClutterMap::sonar_excess(const ScanTable& scan, const Place& place, double rate) const {
+// What lies at a place, but long before or after: a target that moves along with the sonar is found by then.
+Excess ClutterMap::spot_excess(const ScanTable& scan, const Place& place, double rate) const {
   const double y = place.range / range_reach_, reach = params_.sonar_beams;
-  if (num_counted_ == 0.0) return {};
-  double count = 0.0;
+  double count = 0.0, looks = 0.0;
+  for (const Look& look : looks_) looks += std::abs(look.utime - scan.utime) > spot_us_ ? 1.0 : 0.0;
+  if (looks == 0.0) return {};
   sonar_.visit(place.beam, y, reach, 1.0, [&](const BinnedPoint& p) {
-    if (!counts(p.look)) return;
+    if (std::abs(utime_of(p) - scan.utime) <= spot_us_) return;
     count += static_cast<double>(p.weight) * triangle((static_cast<double>(p.x) - place.beam) / reach) *
              triangle(static_cast<double>(p.y) - y);
   });
@@ -285,7 +307,7 @@ Excess ClutterMap::sonar_excess(const ScanTable& scan, const Place& place, doubl
   const double along = triangle_below(scan.max_range / range_reach_ - y) - triangle_below(-y);
   const double per_cell = rate / scan.num_beams * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
-  return excess(scale * count, scale * num_counted_ * across * along * per_cell, sonar_prior());
+  return excess(scale * count, scale * looks * across * along * per_cell, sonar_prior());
 }
 
 Excess ClutterMap::earth_excess(const ScanTable& scan, const Place& place, double rate) const {
@@ -295,19 +317,26 @@ Excess ClutterMap::earth_excess(const ScanTable& scan, const Place& place, doubl
       std::max(params_.earth_beams * scan.width_at(place.beam) * place.range, 0.25 * range_reach_);
   const double box_north = std::abs(along.x()) * range_reach_ + std::abs(along.y()) * cross_reach;
   const double box_east = std::abs(along.y()) * range_reach_ + std::abs(along.x()) * cross_reach;
-  double count = 0.0;
+  double count = 0.0, fine = 0.0;
   earth_.visit(place.p_earth.x(), place.p_earth.y(), box_north, box_east, [&](const BinnedPoint& p) {
     if (!counts(p.look)) return;
     const double dn = static_cast<double>(p.x) - place.p_earth.x();
     const double de = static_cast<double>(p.y) - place.p_earth.y();
-    count += static_cast<double>(p.weight) * triangle((dn * along.x() + de * along.y()) / range_reach_) *
-             triangle((de * along.x() - dn * along.y()) / cross_reach);
+    const double down = (dn * along.x() + de * along.y()) / range_reach_;
+    const double weight =
+        static_cast<double>(p.weight) * triangle((de * along.x() - dn * along.y()) / cross_reach);
+    count += weight * triangle(down);
+    fine += weight * triangle(down / kFine);
   });
   if (count <= 0.0) return {};
   const double beams = cross_reach / (scan.width_at(place.beam) * place.range);
   const double per_look = rate / scan.num_beams * beams * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
-  return excess(scale * count, scale * views_of(scan, place) * per_look, earth_prior());
+  const double expected = scale * views_of(scan, place) * per_look;
+  const ExcessPrior prior = earth_prior();
+  const Excess wide = excess(scale * count, expected, prior);
+  const Excess sharp = excess(scale * fine, kFine * expected, prior);
+  return sharp.density() > wide.density() ? sharp : wide;
 }
 
 ExcessPrior ClutterMap::sonar_prior() const {
@@ -328,16 +357,17 @@ double ClutterMap::clear_around(const ScanTable& scan, const Place& place, doubl
   double sonar = 0.0, earth = 0.0;
   const auto in_frame = [](double across, double along) {
     const double a = std::abs(across), b = std::abs(along);
-    return a <= kFrameBeams && b <= kFrameReaches && !(a <= kMiddleBeams && b <= kMiddleReaches);
+    return a <= FrameCounts::kBeams && b <= FrameCounts::kReaches &&
+           !(a <= FrameCounts::kMiddleBeams && b <= FrameCounts::kMiddleReaches);
   };
-  sonar_.visit(place.beam, y, kFrameBeams, kFrameReaches, [&](const BinnedPoint& p) {
+  sonar_.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
     if (counts(p.look) && in_frame(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y))
       sonar += static_cast<double>(p.weight);
   });
   const Eigen::Vector2d along =
       (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
   const double beam = scan.width_at(place.beam) * place.range;
-  const double box = std::hypot(kFrameBeams * beam, kFrameReaches * range_reach_);
+  const double box = std::hypot(FrameCounts::kBeams * beam, FrameCounts::kReaches * range_reach_);
   earth_.visit(place.p_earth.x(), place.p_earth.y(), box, box, [&](const BinnedPoint& p) {
     if (!counts(p.look)) return;
     const double dn = static_cast<double>(p.x) - place.p_earth.x();
@@ -345,7 +375,8 @@ double ClutterMap::clear_around(const ScanTable& scan, const Place& place, doubl
     if (in_frame((de * along.x() - dn * along.y()) / beam, (dn * along.x() + de * along.y()) / range_reach_))
       earth += static_cast<double>(p.weight);
   });
-  const double area = 4.0 * (kFrameBeams * kFrameReaches - kMiddleBeams * kMiddleReaches);
+  const double area = 4.0 * (FrameCounts::kBeams * FrameCounts::kReaches -
+                             FrameCounts::kMiddleBeams * FrameCounts::kMiddleReaches);
   const double expected = num_counted_ * area * rate / scan.num_beams * range_reach_ / scan.max_range;
   return 1.0 / (1.0 + std::max(excess(sonar, expected, params_.sonar_prior).density(),
                                excess(earth, expected, params_.sonar_prior).density()));
@@ -368,17 +399,18 @@ double ClutterMap::views_of(const ScanTable&, const Place& place) const {
 
 // What moves with the sonar shows, blurred, in the earth's frame too: only what is denser there stands.
 void ClutterMap::learn(const ScanTable& newest, std::span<const double> own, double rate) {
+  rate = typical_.at_most(rate);
   mark_looks(newest);
   sonar_dense_.begin_scan();
   if (num_counted_ > 0.0) earth_dense_.begin_scan();
   for (std::size_t j = 0; j < newest.detections.size(); ++j) {
     const Place place = place_of(newest, newest.detections[j]);
-    const Excess settled = sonar_excess(newest, place, rate), recent = recent_excess(newest, place, rate);
-    const Excess& sonar = settled.density() > recent.density() ? settled : recent;
+    const Excess spot = spot_excess(newest, place, rate), frame = frame_excess(newest, place, rate);
+    const Excess& sonar = spot.density() > frame.density() ? spot : frame;
     sonar_dense_.take(1.0 - own[j], sonar.density() > 0.0 ? sonar.probability : 0.0, sonar.rate);
     if (num_counted_ == 0.0) continue;
     const double stands = earth_excess(newest, place, rate).density();
-    const bool denser = stands > settled.density();
+    const bool denser = stands > sonar.density();
     earth_dense_.take(1.0, denser ? stands / (1.0 + stands) : 0.0, 1.0 + stands);
   }
 }

@@ -8,8 +8,10 @@
 #include "core/sonar_params.hpp"
 #include "csht/likelihood/clutter_density.hpp"
 #include "csht/likelihood/dense_returns.hpp"
+#include "csht/likelihood/frame_counts.hpp"
 #include "csht/likelihood/point_bins.hpp"
 #include "csht/likelihood/scan_table.hpp"
+#include "csht/likelihood/typical_rate.hpp"
 
 namespace lookout::csht {
 
@@ -23,6 +25,9 @@ struct ClutterMapParams {
   /// A scan is not judged by others so near in time [range sigma / max speed], > 0, nor by so few scans, >=
   /// 0: a target is in them that no track has found yet.
   double leave_out_time = 4.0, leave_out_scans = 8.0;
+  /// In the sonar's frame what comes from a place itself judges it only from so many times as far in time, >=
+  /// 1: a target may move along with the sonar. What comes from around it needs no such time.
+  double spot_times = 5.0;
   double range_reach = 4.0 / 3.0;  ///< Half width of the kernel along the line of sight [range sigmas], > 0.
   double sonar_beams = 3.0;        ///< And across it, in the sonar's frame [beams], > 0.
   double earth_beams = 1.5;        ///< Likewise in the earth's frame, > 0.
@@ -30,7 +35,7 @@ struct ClutterMapParams {
       .share = 0.02,
       .shape = 2.0,
       .mean = 1.0};          ///< Of places in the sonar's frame, before any return; its mean is learnt,
-  double most_dense = 0.25;  ///< and its share, up to this, < 1: above, the background is taken for dense.
+  double most_dense = 0.2;  ///< and its share, up to this, < 1: above, the background is taken for dense.
   DenseReturnsParams sonar_learning;  ///< How.
   double earth_shape = 0.5;           ///< Of places in the earth's frame, as ExcessPrior::shape.
   /// Their share is this, > 0, and grows by `share_growth` times the share of returns from what stands, up to
@@ -108,14 +113,18 @@ class ClutterMap {
   Look& next_look();
   void take_return(const ScanTable& scan, const core::Detection& detection, float weight, Look& look);
   void sort_returns();
+  void find_typical_rate(const ScanTable& scan);
   void mark_looks(const ScanTable& scan) const;
   bool counts(int look) const {
     return counted_[static_cast<std::size_t>(look - looks_.front().number)] != 0;
   }
-  Excess sonar_excess(const ScanTable& scan, const Place& place, double rate) const;
+  std::int64_t utime_of(const BinnedPoint& p) const {
+    return looks_[static_cast<std::size_t>(p.look - looks_.front().number)].utime;
+  }
+  Excess spot_excess(const ScanTable& scan, const Place& place, double rate) const;
   Excess earth_excess(const ScanTable& scan, const Place& place, double rate) const;
   double background_at(const ScanTable& scan, const Place& place, double rate) const;
-  Excess recent_excess(const ScanTable& scan, const Place& place, double rate) const;
+  Excess frame_excess(const ScanTable& scan, const Place& place, double rate) const;
   ExcessPrior sonar_prior() const;
   ExcessPrior earth_prior() const;
   double clear_around(const ScanTable& scan, const Place& place, double rate) const;
@@ -124,14 +133,15 @@ class ClutterMap {
   ClutterMapParams params_;
   double range_reach_;  ///< [m].
   double leave_out_s_;
-  std::int64_t spacing_us_, leave_out_us_;
+  std::int64_t spacing_us_, leave_out_us_, spot_us_;
   std::vector<Look> looks_;  ///< The oldest first.
   std::vector<Look> spare_;  ///< Those not in use yet, with their buffers.
   std::vector<BinnedPoint> points_;
+  TypicalRate typical_;
   PointBins earth_, sonar_;
   mutable std::vector<char> counted_;  ///< Of each look, whether it judges the scan at hand,
   mutable double num_counted_ = 0.0;   ///< how many do,
-  mutable double num_recent_ = 0.0;    ///< and how many are near it in time.
+  mutable double num_others_ = 0.0;    ///< and how many there are beside its own.
   DenseReturns sonar_dense_, earth_dense_;
 };
 

@@ -1,5 +1,6 @@
 #include "csht/likelihood/range_gate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -61,6 +62,22 @@ bool find_lost_shares(float max_range, float inverse_sigma, std::span<const floa
   find_tails_beyond(max_range, inverse_sigma, range, lost);
   if (near.low) add_tails_below(inverse_sigma, range, lost);
   return true;
+}
+
+LOOKOUT_VECTOR_CLONES
+void add_range_loss(float loss, std::span<const float> range, std::span<float> lost, std::span<float> heard) {
+  const float* from = range.data();
+  float *to = lost.data(), *left = heard.data();
+  const std::size_t count = range.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const float taken = loss * from[i] * from[i];
+    left[i] = 1.0F - (taken < kMostRangeLoss ? taken : kMostRangeLoss);
+    to[i] = 1.0F - (1.0F - to[i]) * left[i];
+  }
+}
+
+double heard_share(double loss, double range) {
+  return 1.0 - std::min(static_cast<double>(kMostRangeLoss), loss * range * range);
 }
 
 double lost_share(double max_range, double inverse_sigma, double range) {

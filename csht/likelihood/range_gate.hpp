@@ -15,7 +15,18 @@ namespace lookout::csht {
 bool find_lost_shares(float max_range, float inverse_sigma, std::span<const float> range,
                       std::span<float> lost);
 
-/// One of them, in double precision and the plainest form.
+/// Probability that range alone takes an echo, at most.
+inline constexpr float kMostRangeLoss = 0.95F;
+
+/// Writes to `heard` the probability that range leaves an echo of a target at each range [m], and lets `lost`
+/// grow by it. @param loss by the square of range [1/m^2], >= 0. @param lost as many as ranges, set.
+void add_range_loss(float loss, std::span<const float> range, std::span<float> lost, std::span<float> heard);
+
+/// One of them: the probability that range leaves an echo.
+double heard_share(double loss, double range);
+
+/// Probability that noise takes a return of a target at `range` [m] out of the gate, in double precision and
+/// the plainest form.
 double lost_share(double max_range, double inverse_sigma, double range);
 
 }  // namespace lookout::csht

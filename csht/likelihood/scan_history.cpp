@@ -39,6 +39,7 @@ void ScanHistory::make_room(std::size_t returns, std::size_t slots) {
     table.base.reserve(widest_);
     table.lost.reserve(widest_);
     table.group.reserve(widest_);
+    table.echo_offset.reserve(widest_);
     table.share.reserve(widest_);
     table.background.reserve(std::max(densest_, widest_));
   }
@@ -64,8 +65,8 @@ ScanTable& ScanHistory::table_at(int age) {
   return tables_[static_cast<std::size_t>((newest_ - age + capacity()) % capacity())];
 }
 
-void ScanHistory::group(int age, const SpillModel& spill) {
-  spill.group(table_at(age));
+void ScanHistory::group(int age, const SpillModel& spill, std::span<const float> background) {
+  spill.group(background, table_at(age));
 }
 
 void ScanHistory::set_background(int age, const std::vector<float>& background) {

@@ -35,7 +35,7 @@ class ScanHistory {
   const SensorModelParams& model() const { return model_; }  ///< As given.
 
   /// Groups the returns of the scan of that age that one echo may have made.
-  void group(int age, const SpillModel& spill);
+  void group(int age, const SpillModel& spill, std::span<const float> background);
   /// Sets the background's share of each return of the scan of that age: laid out and sized as
   /// ScanTable::background.
   void set_background(int age, const std::vector<float>& background);

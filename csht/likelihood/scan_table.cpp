@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "csht/likelihood/blurred_likelihood.hpp"
+#include "csht/likelihood/range_gate.hpp"
 #include "csht/scan_to_detections.hpp"
 
 namespace lookout::csht {
@@ -43,11 +44,6 @@ ReturnWorth worth_of(const SensorFigures& f, const SensorModelParams& model, dou
   return worth;
 }
 
-// What stands or is dense in a target's beam returns as well as elsewhere, whenever the target does not.
-float excess_of(const SensorFigures& figures, float background) {
-  return static_cast<float>(figures.miss_probability) * (1.0F - background);
-}
-
 // Of a scan that may be lost a silence says less: its likelihood ratio is one if it was.
 void excuse_silence(ScanTable& table) {
   for (float& base : table.base) base = table.listened * base + (1.0F - table.listened);
@@ -56,14 +52,20 @@ void excuse_silence(ScanTable& table) {
 
 void set_beam_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
   const ReturnWorth worth = worth_of(figures, model, table.max_range);
-  table.gain = static_cast<float>(worth.gain);
+  table.gain = static_cast<float>(worth.gain * (1.0 - figures.tail_share));
+  table.tail_gain = static_cast<float>(worth.gain * figures.tail_share / SensorFigures::kTailScale);
+  table.range_gate = model.range_gate;
+  table.range_loss = static_cast<float>(figures.range_loss / (1.0 - figures.miss_probability) /
+                                        (table.max_range * table.max_range));
   for (std::size_t slot = 0; slot < table.range.size(); ++slot) {
     const bool silent = table.range[slot] < 0.0F;
     table.base[slot] = static_cast<float>(silent ? worth.silence : worth.foreign);
-    if (!silent && model.clutter == ClutterModel::exclusive_beam)
-      table.base[slot] += excess_of(figures, table.background[slot]);
-    const double lost = silent ? worth.silence_lost : worth.foreign_lost;
-    table.lost[slot] = model.range_gate ? static_cast<float>(lost) : 0.0F;
+    table.lost[slot] = static_cast<float>(silent ? worth.silence_lost : worth.foreign_lost);
+    if (silent || model.clutter != ClutterModel::exclusive_beam) continue;
+    // What stands or is dense in a target's beam returns as well as elsewhere, whenever the target does not.
+    const float excess = 1.0F - table.background[slot];
+    table.base[slot] += static_cast<float>(figures.miss_probability) * excess;
+    table.lost[slot] = static_cast<float>(1.0 - figures.miss_probability) * excess;
   }
   if (table.listened < 1.0F) excuse_silence(table);
   if (table.whole_circle) return;
@@ -77,6 +79,7 @@ void set_point_figures(const SensorFigures& figures, const SensorModelParams& mo
   const double area = 2.0 * std::numbers::pi * figures.range_sigma * figures.bearing_sigma;
   table.gain = static_cast<float>((1.0 - figures.miss_probability) / (density * area));
   std::fill(table.base.begin(), table.base.end(), static_cast<float>(figures.miss_probability));
+  table.range_loss = table.tail_gain = 0.0F;
   const double lost = model.range_gate ? 1.0 - figures.miss_probability : 0.0;
   std::fill(table.lost.begin(), table.lost.end(), static_cast<float>(lost));
   if (table.listened < 1.0F) excuse_silence(table);
@@ -107,6 +110,7 @@ void fill_slots(ScanTable& table) {
   table.lost.assign(slots, 0.0F);
   table.group.assign(slots, std::int16_t{-1});
   table.share.assign(slots, 1.0F);
+  table.echo_offset.assign(slots, 0.0F);
   table.background.assign(std::max(slots, table.detections.size()), 1.0F);
   table.bearing_from_axis.clear();
   for (const auto& detection : table.detections) {
@@ -153,6 +157,21 @@ void set_figures(const SensorFigures& figures, const SensorModelParams& model, S
   else
     set_beam_figures(figures, model, table);
   set_blur(figures, table);
+}
+
+double lost_of(const ScanTable& table, double inverse_sigma, double range) {
+  const double out = table.range_gate ? lost_share(table.max_range, inverse_sigma, range) : 0.0;
+  return 1.0 - (1.0 - out) * heard_share(static_cast<double>(table.range_loss), range);
+}
+
+double peak_of(const ScanTable& table, std::size_t slot, double range, double sigma_scale) {
+  const double offset = (range - static_cast<double>(table.range[slot])) *
+                        static_cast<double>(table.inverse_sigma) / sigma_scale;
+  const double wide = offset / SensorFigures::kTailScale;
+  const double peak = static_cast<double>(table.gain) * std::exp(-0.5 * offset * offset) +
+                      static_cast<double>(table.tail_gain) * std::exp(-0.5 * wide * wide);
+  return peak / sigma_scale * static_cast<double>(table.background[slot]) *
+         heard_share(static_cast<double>(table.range_loss), range);
 }
 
 void set_heading_error(const HeadingError& error, const SensorFigures& figures, ScanTable& table) {

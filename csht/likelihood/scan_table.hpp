@@ -43,8 +43,14 @@ struct ScanTable {
   /// far away.
   std::vector<float> range;
   std::vector<float> base;  ///< Likelihood ratio of a slot far from its return, 0 to 1.
-  /// What the base gains, times the probability that noise takes the target's return out of the range gate.
+  /// What the base gains, times the probability that range takes the echo, or noise takes the target's return
+  /// out of the range gate.
   std::vector<float> lost;
+  /// Probability that range alone takes an echo, by the square of range [1/m^2]; see SensorFigures.
+  float range_loss = 0.0F;
+  bool range_gate = true;  ///< Noise takes returns out of the gate.
+  /// Height of a wider peak about the return, of `tail_scale` times the width, as `gain`.
+  float tail_gain = 0.0F;
   float gain = 0.0F;  ///< Height of the return's peak above `base`, where clutter is uniform.
   /// Of each slot's return (point: of each detection): the uniform background's share of the density of false
   /// returns there, in (0, 1]; the peak's height is `gain` times it. 1 where clutter is uniform.
@@ -53,6 +59,8 @@ struct ScanTable {
   std::vector<std::int16_t> group;
   /// and the probability that it came by itself or is the echo's own; gain and background count by it.
   std::vector<float> share;
+  /// Beams from the slot's return to the mean bearing of the echo that its group is; 0 where it is none.
+  std::vector<float> echo_offset;
   /// Probability that the sonar listened, see EmptyScans: by the rest, silence says nothing.
   float listened = 1.0F;
   float inverse_sigma = 0.0F;  ///< [1/m].
@@ -97,6 +105,14 @@ int fill_scan_table(const core::PosedScan& scan, ScanTable& table);
 /// Writes the figures into a filled table: the likelihood ratios of a return that fits the target, of one
 /// that does not, and of a silence.
 void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table);
+
+/// Probability that range takes the echo of a target at `range` [m], or noise takes its return out of the
+/// gate.
+double lost_of(const ScanTable& table, double inverse_sigma, double range);
+
+/// Likelihood ratio that the return of a slot adds for a target at `range` [m].
+/// @param sigma_scale factor on the sigma of its error, see Tolerance.
+double peak_of(const ScanTable& table, std::size_t slot, double range, double sigma_scale = 1.0);
 
 /// Turns a filled table with figures to the heading that is now believed, as uncertain as it is now.
 void set_heading_error(const HeadingError& error, const SensorFigures& figures, ScanTable& table);

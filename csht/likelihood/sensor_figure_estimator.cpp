@@ -12,30 +12,62 @@
 namespace lookout::csht {
 namespace {
 
+// What is learnt beyond the paper's figures counts only when it is so many standard errors off.
+constexpr double kSureSigmas = 2.0;
+constexpr double kFewTails = 0.03;    // Share of wide errors below which errors count as Gaussian,
+constexpr double kPriorTails = 20.0;  // and the weight, in returns, with which that is believed at first.
+constexpr double kFewTrials = 20.0;   // No line is fitted through fewer misses and returns.
+constexpr double kLeastMiss = 0.01, kMostMiss = 0.98;
 constexpr double kHidden = 0.5;  // A target behind one that exists with more than this may have been hidden.
+
+double square(double x) {
+  return x * x;
+}
 
 // What became of a target in one scan, if a sampled trajectory is its.
 struct Sighting {
   double reported = 0.0, silence = 0.0;  // Probability of a return of its own, and of a miss.
   double lost = 0.0;                     // Of a return that noise took out of the range gate.
   double residual = 0.0, range = 0.0;    // Of the return, and of the prediction [m].
+  double narrow = 1.0;                   // Share of `reported` whose error was no wide one.
+  double wide = 0.0, either = 0.0;       // Of a return of its own with a wide error, and with any.
 };
 
-Sighting sight_in_beam(const ScanTable& scan, double range, double bearing) {
+// What sightings are told apart by: the P_M that the scan was laid out with, and the share of wide errors,
+// whether or not it is in use.
+struct Told {
+  double miss = 0.0, tail_share = 0.0;
+};
+
+Sighting sight_in_beam(const ScanTable& scan, double range, double bearing, const Told& told) {
   const double beam = scan.beams_from_middle(bearing) + 0.5 * scan.num_beams;
   if (beam < 0.0 || beam >= scan.num_beams || range > scan.max_range) return {};
   const auto slot = static_cast<std::size_t>(beam) + 1;
   if (scan.silent(static_cast<int>(beam))) {
-    const double lost = scan.lost[slot] * lost_share(scan.max_range, scan.inverse_sigma, range);
-    const double miss = scan.base[slot] / (scan.base[slot] + lost), listened = scan.listened;
-    return {0.0, listened * miss, listened * (1.0 - miss), 0.0, range};
+    const double heard = heard_share(scan.range_loss, range);
+    const double out = scan.range_gate ? lost_share(scan.max_range, scan.inverse_sigma, range) : 0.0;
+    const double lost = scan.lost[slot] * heard * out;
+    const double miss = scan.base[slot] + scan.lost[slot] * (1.0 - heard), listened = scan.listened;
+    return {0.0, listened * miss / (miss + lost), listened * lost / (miss + lost), 0.0, range};
   }
-  const double residual = scan.range[slot] - range;
-  const double sigmas = residual * scan.inverse_sigma;
-  const double own = scan.gain * std::exp(-0.5 * sigmas * sigmas);
-  // A return that does not fit is of something else: the trajectory or the model is wrong, so that neither a
-  // detection nor a miss is learnt.
-  return {own / (own + scan.base[slot]), 0.0, 0.0, residual, range};
+  const double residual = scan.range[slot] - range, sigmas = residual * scan.inverse_sigma;
+  const double width = sigmas / SensorFigures::kTailScale, height = 1.0 / SensorFigures::kTailScale;
+  const double narrow = std::exp(-0.5 * sigmas * sigmas), wide = height * std::exp(-0.5 * width * width);
+  const double own = peak_of(scan, slot, range);
+  const double both = (1.0 - told.tail_share) * narrow + told.tail_share * wide;
+  const double all = scan.gain + scan.tail_gain * SensorFigures::kTailScale;
+  const double either = all * scan.background[slot] * heard_share(scan.range_loss, range) * both;
+  // Where clutter is dense, a return that does not fit fills the place of one that was missed. Elsewhere it
+  // is of something else, the trajectory or the model is wrong, and neither a detection nor a miss is learnt.
+  const double filled =
+      scan.lost[slot] * (told.miss / (1.0 - told.miss) + 1.0 - heard_share(scan.range_loss, range));
+  const double total = own + scan.base[slot];
+  Sighting sighting{own / total, std::min(filled, static_cast<double>(scan.base[slot])) / total, 0.0,
+                    residual, range};
+  sighting.narrow = both > 0.0 ? (1.0 - told.tail_share) * narrow / both : 1.0;
+  sighting.either = either / (either + scan.base[slot]);
+  sighting.wide = both > 0.0 ? sighting.either * told.tail_share * wide / both : 0.0;
+  return sighting;
 }
 
 Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
@@ -59,12 +91,12 @@ Sighting sight_of_point(const ScanTable& scan, double range, double bearing) {
   return sighting;
 }
 
-Sighting sight(const ScanTable& scan, const Eigen::Vector4d& state, double seconds) {
+Sighting sight(const ScanTable& scan, const Eigen::Vector4d& state, double seconds, const Told& told) {
   const double dn = state[0] + seconds * state[2] - scan.T_earth_sonar.north;
   const double de = state[1] + seconds * state[3] - scan.T_earth_sonar.east;
   const double bearing = core::wrap_to_pi(std::atan2(de, dn) - scan.axis);
   return scan.clutter == ClutterModel::point ? sight_of_point(scan, std::hypot(dn, de), bearing)
-                                             : sight_in_beam(scan, std::hypot(dn, de), bearing);
+                                             : sight_in_beam(scan, std::hypot(dn, de), bearing, told);
 }
 
 // Whether a target may hide another, whose miss then teaches nothing: it is nearer in the same beam or, for a
@@ -106,6 +138,7 @@ SensorFigureEstimator::SensorFigureEstimator(const SensorFigureParams& params, c
   const double weight = params.prior_weight;
   miss_ = {weight * params.unknown_miss, weight};
   if (!given.point_sensor()) false_alarm_ = {weight * params.unknown_false_alarm, weight};
+  tail_ = {kPriorTails * kFewTails, kPriorTails};
   squares_ = params.sigma_weight * given.range_sigma * given.range_sigma;
   returns_ = params.sigma_weight;
   choose();
@@ -113,6 +146,8 @@ SensorFigureEstimator::SensorFigureEstimator(const SensorFigureParams& params, c
 
 void SensorFigureEstimator::update(const ScanHistory& history, std::span<const KnownTarget> targets) {
   miss_.fade(fading());
+  misses_.fade(fading());
+  tail_.fade(fading());
   false_alarm_.fade(fading());
   for (double* value : {&squares_, &returns_}) *value *= fading();
   utime_ = history.newest().utime;
@@ -190,26 +225,55 @@ void SensorFigureEstimator::learn_return(const ScanTable& scan, std::span<const 
                                          double seconds) {
   const double weight = 1.0 / static_cast<double>(samples.size());
   double reported = 0.0, silence = 0.0, lost = 0.0;
-  double residual = 0.0, range = 0.0, range_squares = 0.0;
+  double narrow = 0.0, residual = 0.0, range = 0.0, range_squares = 0.0;
   for (const auto& sample : samples) {
-    const Sighting sighting = sight(scan, sample, seconds);
-    const double own = weight * sighting.reported;
-    reported += own;
+    const Sighting sighting = sight(scan, sample, seconds, {figures_.miss_probability, tail_.mean()});
+    reported += weight * sighting.reported;
     silence += weight * sighting.silence;
     lost += weight * sighting.lost;
+    tail_.hits += weight * sighting.wide;
+    tail_.trials += weight * sighting.either;
+    misses_.add(square(sighting.range / scan.max_range), weight * sighting.silence,
+                weight * (sighting.silence + sighting.reported + sighting.lost));
+    const double own = weight * sighting.reported * sighting.narrow;
+    narrow += own;
     residual += own * sighting.residual;
     range += own * sighting.range;
     range_squares += own * sighting.range * sighting.range;
   }
   miss_.hits += silence;
   miss_.trials += silence + reported + lost;
-  if (reported < 0.5) return;
+  if (narrow < 0.5) return;
   // The return has drawn the trajectories towards it, so that its distance from their mean is too small on
   // average; the variance of the trajectories makes up for that.
-  const double mean = residual / reported;
-  const double spread = range_squares / reported - (range / reported) * (range / reported);
-  squares_ += reported * (mean * mean + spread);
-  returns_ += reported;
+  const double mean = residual / narrow;
+  const double spread = range_squares / narrow - (range / narrow) * (range / narrow);
+  squares_ += narrow * (mean * mean + spread);
+  returns_ += narrow;
+}
+
+void SensorFigureEstimator::RangeMisses::add(double x, double hits, double trials) {
+  n += trials;
+  sum += trials * x;
+  squares += trials * x * x;
+  misses += hits;
+  products += hits * x;
+}
+
+void SensorFigureEstimator::RangeMisses::fade(double factor) {
+  for (double* value : {&n, &sum, &squares, &misses, &products}) *value *= factor;
+}
+
+// Weighted least squares of misses over x.
+std::optional<SensorFigureEstimator::RangeMisses::Line> SensorFigureEstimator::RangeMisses::line(
+    double doubt_sigmas) const {
+  const double determinant = n * squares - sum * sum;
+  if (n < kFewTrials || determinant <= 0.0) return std::nullopt;
+  const double slope = (n * products - sum * misses) / determinant;
+  const double mean = misses / n;
+  if (slope < doubt_sigmas * std::sqrt(mean * (1.0 - mean) * n / determinant)) return std::nullopt;
+  const double start = std::max(kLeastMiss, (misses - slope * sum) / n);
+  return Line{start, std::min(slope, kMostMiss - start)};
 }
 
 // A given figure is used until the scans contradict it.
@@ -232,6 +296,13 @@ void SensorFigureEstimator::choose() {
     use.false_alarm_probability = now.false_alarm_probability;
   if (doubts_sigma_) use.range_sigma = now.range_sigma;
   figures_ = figures_of(use);
+  if (given_.point_sensor()) return;
+  if (tail_.mean() - kSureSigmas * tail_.sigma() > kFewTails) figures_.tail_share = tail_.mean();
+  const bool learns_miss = !given_.miss_probability || doubts_miss_ || doubts_false_;
+  if (const auto line = learns_miss ? misses_.line(kSureSigmas) : std::nullopt) {
+    figures_.miss_probability = line->start;
+    figures_.range_loss = line->slope;
+  }
 }
 
 core::SensorEstimate SensorFigureEstimator::estimate() const {

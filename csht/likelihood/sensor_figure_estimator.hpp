@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -37,7 +38,8 @@ struct SensorFigureParams {
 
 /// P_F, P_M and range sigma from the stream itself: silent and reporting beams that no target owns, returns
 /// and misses of sure targets, their range residuals. A scan in memory whose returns are priced anew counts
-/// as it is priced now. Figures that are given are used until the stream
+/// as it is priced now. Where the stream shows it beyond doubt, P_M grows with the square of range, and some
+/// range errors are wide ones. Figures that are given are used until the stream
 /// contradicts them; then the estimate is used, and said so. Once P_F is contradicted, P_M is estimated too.
 class SensorFigureEstimator {
  public:
@@ -65,6 +67,16 @@ class SensorFigureEstimator {
     void fade(double factor);
   };
 
+  struct RangeMisses {  // Sums for a line of P_M over x, the square of range over the maximum range.
+    struct Line {
+      double start = 0.0, slope = 0.0;  // P_M at no range, and what it gains up to the maximum range.
+    };
+    double n = 0.0, sum = 0.0, squares = 0.0, misses = 0.0, products = 0.0;
+    void add(double x, double hits, double trials);
+    void fade(double factor);
+    std::optional<Line> line(double doubt_sigmas) const;  // Nothing where it may as well be level.
+  };
+
   struct Clutter {            // What a scan in memory says of the false alarms.
     std::vector<float> free;  ///< Of each beam or detection, the probability that no target owns it.
     Share share;
@@ -82,6 +94,8 @@ class SensorFigureEstimator {
   SensorFigures figures_;
   ClaimSet claims_;
   Share miss_;
+  RangeMisses misses_;
+  Share tail_;                    ///< Of a target's returns, those with a wide error.
   Share false_alarm_;             ///< Of a beam; of a point sensor, false returns of a scan.
   std::vector<Clutter> clutter_;  ///< Of the scans in memory, by their number modulo the history's capacity.
   double squares_ = 0.0, returns_ = 0.0;  ///< Squared range residuals [m^2], and returns.

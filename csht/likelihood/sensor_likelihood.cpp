@@ -19,6 +19,8 @@ constexpr std::size_t kBlock = 64;   // Hypotheses at a time: the block's arrays
 constexpr std::size_t kFewNear = 4;  // Near an edge are few, if fewer than one in so many.
 static_assert(kBlock <= kPointBlock);
 using Lane = std::array<float, kBlock>;
+constexpr float kTailExponent =
+    static_cast<float>(-0.5 / (SensorFigures::kTailScale * SensorFigures::kTailScale));
 
 // A slot's likelihood ratio as loaded for each hypothesis.
 struct SlotLanes {
@@ -28,12 +30,14 @@ struct SlotLanes {
 // What a tolerance makes of a scan's Gaussian; wider is lower, so that it still averages 1 over clutter.
 struct Shape {
   float gain, inverse_sigma;
+  float tail;              // Height of the wider peak over that of the narrow one; 0: none.
   float inverse_softness;  // Slope of the neighbour's weight, half over edge_softness [1/beam].
 };
 
 Shape shape_of(const ScanTable& scan, const Tolerance& tolerance) {
   const auto scale = static_cast<float>(1.0 / tolerance.sigma_scale);
-  return {scan.gain * scale, scan.inverse_sigma * scale, static_cast<float>(0.5 / tolerance.edge_softness)};
+  return {scan.gain * scale, scan.inverse_sigma * scale, scan.tail_gain / scan.gain,
+          static_cast<float>(0.5 / tolerance.edge_softness)};
 }
 
 struct Block {
@@ -42,8 +46,10 @@ struct Block {
   Lane bearing;  // From the sector's middle [rad].
   Lane seen;     // 1 within the maximum range, else 0.
   Lane weight;   // Of the neighbour slot in the mixture at a beam edge.
-  Lane lost;     // Probability that noise takes a return out of the range gate; set only if `loses`.
-  bool loses;    // Noise does so for some of the hypotheses.
+  Lane lost;     // Probability that range takes the echo, or noise the return out of the gate; if `loses`.
+  Lane heard;    // Probability that range leaves the echo; set only if `fades`.
+  bool loses;    // Some of the hypotheses lose returns,
+  bool fades;    // and some by range alone.
   std::array<int, kBlock> slot, neighbour;
   SlotLanes own, other;
   Lane ratio;
@@ -114,7 +120,7 @@ inline __attribute__((always_inline)) void load_one(const ScanTable& scan, const
                                                     std::size_t i, const Block& b, SlotLanes& lanes) {
   const auto slot = static_cast<std::size_t>(std::clamp(slots, 0, scan.num_beams + 1));
   lanes.range[i] = scan.range[slot];
-  lanes.gain[i] = b.shape.gain * scan.background[slot];
+  lanes.gain[i] = b.shape.gain * scan.background[slot] * (b.fades ? b.heard[i] : 1.0F);
   lanes.base[i] = b.loses ? scan.base[slot] + scan.lost[slot] * b.lost[i] : scan.base[slot];
   if constexpr (kMasked) {
     lanes.mask_range[i] = mask->range[slot];
@@ -123,44 +129,55 @@ inline __attribute__((always_inline)) void load_one(const ScanTable& scan, const
   }
 }
 
-template <bool kMasked>
+template <bool kMasked, bool kTailed>
 inline __attribute__((always_inline)) float slot_ratio(const Shape& shape, const SlotLanes& lanes,
                                                        float range, std::size_t i) {
   const float offset = (range - lanes.range[i]) * shape.inverse_sigma;
-  const float ratio = lanes.base[i] + lanes.gain[i] * fast_exp(-0.5F * offset * offset);
+  float peak = fast_exp(-0.5F * offset * offset);
+  if constexpr (kTailed) peak += shape.tail * fast_exp(kTailExponent * offset * offset);
+  const float ratio = lanes.base[i] + lanes.gain[i] * peak;
   if constexpr (!kMasked) return ratio;
   const float share = lanes.mask_share[i];
   return range > lanes.mask_range[i] ? share + (1.0F - share) * ratio : ratio * lanes.mask_nearer[i];
 }
 
-template <bool kMasked>
+template <bool kMasked, bool kTailed>
 inline __attribute__((always_inline)) void score_own(std::size_t count, Block& b) {
   const Shape shape = b.shape;
-  for (std::size_t i = 0; i < count; ++i) b.ratio[i] = slot_ratio<kMasked>(shape, b.own, b.range[i], i);
+  for (std::size_t i = 0; i < count; ++i)
+    b.ratio[i] = slot_ratio<kMasked, kTailed>(shape, b.own, b.range[i], i);
 }
 
-template <bool kMasked>
+template <bool kMasked, bool kTailed>
 inline __attribute__((always_inline)) void mix_neighbours(std::size_t count, Block& b) {
   const Shape shape = b.shape;
   for (std::size_t i = 0; i < count; ++i)
-    b.ratio[i] += b.weight[i] * (slot_ratio<kMasked>(shape, b.other, b.range[i], i) - b.ratio[i]);
+    b.ratio[i] += b.weight[i] * (slot_ratio<kMasked, kTailed>(shape, b.other, b.range[i], i) - b.ratio[i]);
 }
 
 LOOKOUT_VECTOR_CLONES
 void score_own_free(std::size_t count, Block& b) {
-  score_own<false>(count, b);
+  score_own<false, false>(count, b);
 }
 LOOKOUT_VECTOR_CLONES
 void score_own_masked(std::size_t count, Block& b) {
-  score_own<true>(count, b);
+  score_own<true, false>(count, b);
+}
+LOOKOUT_VECTOR_CLONES
+void score_own_tailed(std::size_t count, bool masked, Block& b) {
+  masked ? score_own<true, true>(count, b) : score_own<false, true>(count, b);
 }
 LOOKOUT_VECTOR_CLONES
 void mix_neighbours_free(std::size_t count, Block& b) {
-  mix_neighbours<false>(count, b);
+  mix_neighbours<false, false>(count, b);
 }
 LOOKOUT_VECTOR_CLONES
 void mix_neighbours_masked(std::size_t count, Block& b) {
-  mix_neighbours<true>(count, b);
+  mix_neighbours<true, false>(count, b);
+}
+LOOKOUT_VECTOR_CLONES
+void mix_neighbours_tailed(std::size_t count, bool masked, Block& b) {
+  masked ? mix_neighbours<true, true>(count, b) : mix_neighbours<false, true>(count, b);
 }
 
 LOOKOUT_VECTOR_CLONES
@@ -168,11 +185,22 @@ void forget_out_of_view(std::size_t count, Block& b) {
   for (std::size_t i = 0; i < count; ++i) b.ratio[i] = b.seen[i] > 0.5F ? b.ratio[i] : 1.0F;
 }
 
+template <bool kMasked, bool kTailed>
+void mix_all(std::size_t count, Block& b) {
+  if constexpr (kTailed)
+    mix_neighbours_tailed(count, kMasked, b);
+  else
+    kMasked ? mix_neighbours_masked(count, b) : mix_neighbours_free(count, b);
+}
+
 // Where edges are hardly softened, few hypotheses are near one: those alone are mixed, one by one.
-template <bool kMasked>
+template <bool kMasked, bool kTailed>
 void score_slots(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
   for (std::size_t i = 0; i < count; ++i) load_one<kMasked>(scan, mask, b.slot[i], i, b, b.own);
-  kMasked ? score_own_masked(count, b) : score_own_free(count, b);
+  if constexpr (kTailed)
+    score_own_tailed(count, kMasked, b);
+  else
+    kMasked ? score_own_masked(count, b) : score_own_free(count, b);
   std::array<std::uint8_t, kBlock> near;
   std::size_t num_near = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -184,20 +212,32 @@ void score_slots(const ScanTable& scan, const BeamMask* mask, std::size_t count,
     const std::size_t i = few ? near[k] : k;
     load_one<kMasked>(scan, mask, b.neighbour[i], i, b, b.other);
     if (!few) continue;
-    b.ratio[i] += b.weight[i] * (slot_ratio<kMasked>(b.shape, b.other, b.range[i], i) - b.ratio[i]);
+    b.ratio[i] += b.weight[i] * (slot_ratio<kMasked, kTailed>(b.shape, b.other, b.range[i], i) - b.ratio[i]);
   }
-  if (!few) kMasked ? mix_neighbours_masked(count, b) : mix_neighbours_free(count, b);
+  if (!few) mix_all<kMasked, kTailed>(count, b);
   forget_out_of_view(count, b);
+}
+
+void find_losses(const ScanTable& scan, std::size_t count, Block& b) {
+  const std::span<const float> range(b.range.data(), count);
+  const std::span<float> lost(b.lost.data(), count);
+  b.loses = scan.range_gate &&
+            find_lost_shares(static_cast<float>(scan.max_range), b.shape.inverse_sigma, range, lost);
+  b.fades = scan.range_loss > 0.0F;
+  if (!b.fades) return;
+  if (!b.loses) std::fill(lost.begin(), lost.end(), 0.0F);
+  add_range_loss(scan.range_loss, range, lost, {b.heard.data(), count});
+  b.loses = true;
 }
 
 void score_beams(const ScanTable& scan, const BeamMask* mask, std::size_t count, Block& b) {
   find_slots(scan, count, b);
-  b.loses = find_lost_shares(static_cast<float>(scan.max_range), b.shape.inverse_sigma,
-                             {b.range.data(), count}, {b.lost.data(), count});
+  find_losses(scan, count, b);
+  const bool tailed = b.shape.tail > 0.0F;
   if (mask == nullptr)
-    score_slots<false>(scan, mask, count, b);
+    tailed ? score_slots<false, true>(scan, mask, count, b) : score_slots<false, false>(scan, mask, count, b);
   else
-    score_slots<true>(scan, mask, count, b);
+    tailed ? score_slots<true, true>(scan, mask, count, b) : score_slots<true, false>(scan, mask, count, b);
 }
 
 LOOKOUT_VECTOR_CLONES
@@ -233,29 +273,28 @@ void for_each_block(const ScanTable& scan, const BeamMask* mask, const Hypothesi
   }
 }
 
-double plain_slot_ratio(const ScanTable& scan, const BeamMask* mask, const Shape& shape, int slot_index,
-                        double range) {
+double plain_slot_ratio(const ScanTable& scan, const BeamMask* mask, const Tolerance& tolerance,
+                        int slot_index, double range) {
   const auto slot = static_cast<std::size_t>(std::clamp(slot_index, 0, scan.num_beams + 1));
-  const double lost = scan.lost[slot] * lost_share(scan.max_range, shape.inverse_sigma, range);
-  const double offset = (range - scan.range[slot]) * shape.inverse_sigma;
-  const double ratio =
-      scan.base[slot] + lost + shape.gain * scan.background[slot] * std::exp(-0.5 * offset * offset);
+  const double ratio = scan.base[slot] +
+                       scan.lost[slot] * lost_of(scan, scan.inverse_sigma / tolerance.sigma_scale, range) +
+                       peak_of(scan, slot, range, tolerance.sigma_scale);
   if (mask == nullptr) return ratio;
   const double share = mask->share[slot];
   return range > mask->range[slot] ? share + (1.0 - share) * ratio : ratio * mask->nearer[slot];
 }
 
-double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, const Shape& shape, double range,
+double plain_beam_ratio(const ScanTable& scan, const BeamMask* mask, const Tolerance& tolerance, double range,
                         double bearing) {
   const double beam =
       std::clamp(scan.beams_from_middle(bearing) + 0.5 * scan.num_beams + 1.0, 0.5, scan.num_beams + 1.5);
   const int slot = static_cast<int>(beam);
   const double inside = beam - slot;
   const double edge = std::min(inside, 1.0 - inside);
-  const double weight = std::max(0.0, 0.5 - edge * shape.inverse_softness);
+  const double weight = std::max(0.0, 0.5 - 0.5 * edge / tolerance.edge_softness);
   const int neighbour = inside < 0.5 ? slot - 1 : slot + 1;
-  return (1.0 - weight) * plain_slot_ratio(scan, mask, shape, slot, range) +
-         weight * plain_slot_ratio(scan, mask, shape, neighbour, range);
+  return (1.0 - weight) * plain_slot_ratio(scan, mask, tolerance, slot, range) +
+         weight * plain_slot_ratio(scan, mask, tolerance, neighbour, range);
 }
 
 }  // namespace
@@ -305,7 +344,7 @@ double log_ratio(const ScanTable& scan, const BeamMask* mask, const Eigen::Vecto
   const double bearing = core::wrap_to_pi(std::atan2(de, dn) - scan.axis);
   const double ratio = scan.clutter == ClutterModel::point
                            ? plain_point_ratio(scan, mask, range, bearing, tolerance)
-                           : plain_beam_ratio(scan, mask, shape_of(scan, tolerance), range, bearing);
+                           : plain_beam_ratio(scan, mask, tolerance, range, bearing);
   return std::log(ratio);
 }
 

@@ -43,6 +43,10 @@ void validate(const SensorFigures& figures) {
                 "miss_probability must be in (0, 1)", figures.miss_probability);
   core::require(figures.false_alarm_probability > 0.0 && figures.false_alarm_probability < 1.0,
                 "false_alarm_probability must be in (0, 1)", figures.false_alarm_probability);
+  core::require(figures.range_loss >= 0.0 && figures.range_loss < 1.0, "range_loss must be in [0, 1)",
+                figures.range_loss);
+  core::require(figures.tail_share >= 0.0 && figures.tail_share < 1.0, "tail_share must be in [0, 1)",
+                figures.tail_share);
   core::require(figures.clutter_per_scan > 0.0, "clutter_per_scan must be > 0", figures.clutter_per_scan);
   core::require(figures.range_sigma > 0.0, "range_sigma must be > 0", figures.range_sigma);
   core::require(figures.bearing_sigma > 0.0, "bearing_sigma must be > 0", figures.bearing_sigma);

@@ -22,6 +22,11 @@ struct SensorFigures {
   double resolution = 0.0;               ///< SonarParams::resolution [m], >= 0. Used by point.
   double heading_sigma = 0.0;            ///< Of the heading of a scan's pose [rad], >= 0. Used by beams.
   double position_sigma = 0.0;           ///< Of north and of east of a scan's pose [m], >= 0. The same.
+  /// What P_M gains by the square of range over the maximum range, in [0, 1). Learnt; used by beams.
+  double range_loss = 0.0;
+  /// Share of a target's returns whose error has `kTailScale` times the sigma, in [0, 1). The same.
+  double tail_share = 0.0;
+  static constexpr double kTailScale = 3.0;  ///< See `tail_share`.
 };
 
 /// How the likelihood reads a scan.

@@ -42,7 +42,7 @@ bool SpillModel::coincide(const ScanTable& scan, int a, int b) const {
          static_cast<float>(params_.range_gate);
 }
 
-void SpillModel::learn(const ScanTable& scan, double false_alarm) {
+void SpillModel::learn(const ScanTable& scan, double false_alarm, std::span<const float> background) {
   if (!params_.enabled || scan.clutter == ClutterModel::point) return;
   const double kept = 1.0 - 1.0 / params_.memory_scans;
   const double gate = params_.range_gate / static_cast<double>(scan.inverse_sigma);
@@ -52,18 +52,21 @@ void SpillModel::learn(const ScanTable& scan, double false_alarm) {
     for (double* value : {&offset.hits, &offset.chance, &offset.heard, &offset.echoes}) *value *= kept;
     for (int beam = 0; beam + d < scan.num_beams; ++beam) {
       if (scan.silent(beam)) continue;
-      offset.chance += by_chance;
-      if (coincide(scan, beam, beam + d)) offset.hits += 1.0;
+      // Chance neighbours come 1 / background times as densely, and count by as much less.
+      const auto own = static_cast<double>(background[slot_of(beam)]);
+      offset.chance += by_chance * own;
+      if (coincide(scan, beam, beam + d))
+        offset.hits += own * static_cast<double>(background[slot_of(beam + d)]);
     }
   }
-  learn_shares(scan);
+  learn_shares(scan, background);
 }
 
 // One step of expectation maximisation: each return of a group is the echo's own beam with its share, and
 // what the beams beside it report then tells how far echoes spill.
-void SpillModel::learn_shares(const ScanTable& scan) {
+void SpillModel::learn_shares(const ScanTable& scan, std::span<const float> background) {
   if (!active()) return;
-  find_groups(scan, groups_);
+  find_groups(scan, background, groups_);
   for (const Group& group : groups_) {
     for (int k = 0; k < group.size; ++k) {
       const auto i = static_cast<std::size_t>(k);
@@ -71,11 +74,24 @@ void SpillModel::learn_shares(const ScanTable& scan) {
         const int other = group.beam[i] + d;
         if (d == 0 || other < 0 || other >= scan.num_beams) continue;
         Offset& offset = offsets_[static_cast<std::size_t>(std::abs(d))];
-        offset.echoes += group.origin[i];
-        if (group.holds(other)) offset.heard += group.origin[i];
+        const double own = group.real * group.origin[i];
+        offset.echoes += own;
+        if (group.holds(other)) offset.heard += own;
       }
     }
   }
+}
+
+// Real neighbours are equally likely everywhere; those of chance go with the density of clutter, and each
+// neighbour is a coincidence of its own.
+double SpillModel::real_of(const Group& group, std::span<const float> background) const {
+  double log_background = 0.0;
+  for (int k = 0; k < group.size; ++k)
+    log_background +=
+        std::log(static_cast<double>(background[slot_of(group.beam[static_cast<std::size_t>(k)])]));
+  const double real = real_share(1);
+  const double log_odds = std::log(real / (1.0 - real)) + log_background / group.size;
+  return 1.0 / (1.0 + std::exp(-log_odds * (group.size - 1)));
 }
 
 bool SpillModel::Group::holds(int other) const {
@@ -83,7 +99,8 @@ bool SpillModel::Group::holds(int other) const {
 }
 
 // Groups of at least two returns, none in two groups.
-void SpillModel::find_groups(const ScanTable& scan, std::vector<Group>& groups) const {
+void SpillModel::find_groups(const ScanTable& scan, std::span<const float> background,
+                             std::vector<Group>& groups) const {
   groups.clear();
   taken_.assign(static_cast<std::size_t>(scan.num_beams), 0);
   for (int first = 0; first < scan.num_beams; ++first) {
@@ -93,6 +110,7 @@ void SpillModel::find_groups(const ScanTable& scan, std::vector<Group>& groups) 
       taken_[static_cast<std::size_t>(group.beam[static_cast<std::size_t>(k)])] = 1;
     if (group.size < 2 || group.size > kMostBeams || groups.size() == kMostGroups) continue;
     weigh_origins(scan, group);
+    group.real = real_of(group, background);
     groups.push_back(group);
   }
 }
@@ -136,20 +154,29 @@ double SpillModel::origin_weight(const ScanTable& scan, const Group& group, int 
   return weight;
 }
 
-void SpillModel::group(ScanTable& scan) const {
+void SpillModel::group(std::span<const float> background, ScanTable& scan) const {
   std::fill(scan.share.begin(), scan.share.end(), 1.0F);
   std::fill(scan.group.begin(), scan.group.end(), std::int16_t{-1});
+  std::fill(scan.echo_offset.begin(), scan.echo_offset.end(), 0.0F);
   if (!params_.enabled || scan.clutter == ClutterModel::point || !active()) return;
-  const double real = real_share(1);
-  find_groups(scan, groups_);
+  find_groups(scan, background, groups_);
   for (std::size_t g = 0; g < groups_.size(); ++g) {
     const Group& group = groups_[g];
+    double mean = 0.0;
+    for (int k = 0; k < group.size; ++k)
+      mean += group.origin[static_cast<std::size_t>(k)] * group.beam[static_cast<std::size_t>(k)];
     for (int k = 0; k < group.size; ++k) {
       const auto i = static_cast<std::size_t>(k);
+      if (group.real > 0.5)
+        scan.echo_offset[slot_of(group.beam[i])] = static_cast<float>(mean - group.beam[i]);
       scan.group[slot_of(group.beam[i])] = static_cast<std::int16_t>(g);
-      scan.share[slot_of(group.beam[i])] = static_cast<float>(1.0 - real + real * group.origin[i]);
+      scan.share[slot_of(group.beam[i])] =
+          static_cast<float>(1.0 - group.real + group.real * group.origin[i]);
     }
   }
+  if (!scan.whole_circle) return;
+  scan.share.front() = scan.share[slot_of(scan.num_beams - 1)];
+  scan.share.back() = scan.share[slot_of(0)];
 }
 
 }  // namespace lookout::csht

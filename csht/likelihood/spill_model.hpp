@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "csht/likelihood/scan_table.hpp"
@@ -29,11 +30,13 @@ class SpillModel {
   /// @param params validated.
   explicit SpillModel(const SpillParams& params) : params_(params) { groups_.reserve(kMostGroups); }
 
-  /// Counts the coincidences of a new scan. @param false_alarm P_F of a beam.
-  void learn(const ScanTable& scan, double false_alarm);
+  /// Counts the coincidences of a new scan: where clutter is dense, neighbours coincide by chance, and count
+  /// less. @param false_alarm P_F of a beam. @param background of each slot, as ScanTable::background, before
+  /// groups.
+  void learn(const ScanTable& scan, double false_alarm, std::span<const float> background);
   /// Sets group and share of each slot's return; all alone, shares 1, while no spill is known. Sensors
-  /// without beams have none.
-  void group(ScanTable& scan) const;
+  /// without beams have none. @param background as above.
+  void group(std::span<const float> background, ScanTable& scan) const;
 
   /// Probability that an echo is heard so many beams off too, as far as known: 1 <= offset <= kReach.
   double probability(int offset) const;
@@ -52,14 +55,17 @@ class SpillModel {
     std::array<int, kMostBeams + 1> beam{};
     std::array<double, kMostBeams + 1> origin{};  // Probability that the echo is this beam's own.
     int size = 0;
+    double real = 0.0;  // Probability that one echo made it.
     bool holds(int other) const;
   };
-  void find_groups(const ScanTable& scan, std::vector<Group>& groups) const;
+  void find_groups(const ScanTable& scan, std::span<const float> background,
+                   std::vector<Group>& groups) const;
   Group group_from(const ScanTable& scan, int first) const;
   void weigh_origins(const ScanTable& scan, Group& group) const;
   double origin_weight(const ScanTable& scan, const Group& group, int beam) const;
   bool coincide(const ScanTable& scan, int a, int b) const;
-  void learn_shares(const ScanTable& scan);
+  double real_of(const Group& group, std::span<const float> background) const;
+  void learn_shares(const ScanTable& scan, std::span<const float> background);
 
   SpillParams params_;
   std::array<Offset, kReach + 1> offsets_{};

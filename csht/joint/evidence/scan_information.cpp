@@ -19,9 +19,10 @@ double entropy_of_beam(const ScanTable& scan) {
 
 }  // namespace
 
-ScanEvidence evidence_of(const SensorFigures& figures, const ScanTable& scan) {
-  const double miss = figures.miss_probability;
-  const double detection = std::log(static_cast<double>(scan.gain));
+ScanEvidence evidence_of(const SensorFigures& figures, const ScanTable& scan, double background) {
+  const double miss =
+      figures.miss_probability + 0.5 * figures.range_loss;  // In the middle of the fan's area.
+  const double detection = std::log(static_cast<double>(scan.gain) * background);
   if (scan.clutter == ClutterModel::point) return {1.0 - miss, detection - 1.0, std::log(miss)};
   // Where the pose is uncertain, a detection is the target's with the probability that it was in that beam.
   const double unsure = entropy_of_beam(scan), right = std::exp(-unsure);
@@ -29,8 +30,8 @@ ScanEvidence evidence_of(const SensorFigures& figures, const ScanTable& scan) {
   return {1.0 - miss, detection - 0.5 - unsure, std::log(silence)};
 }
 
-double nats_per_scan(const SensorFigures& figures, const ScanTable& scan) {
-  return evidence_of(figures, scan).mean();
+double nats_per_scan(const SensorFigures& figures, const ScanTable& scan, double background) {
+  return evidence_of(figures, scan, background).mean();
 }
 
 double log_overshoot(const ScanEvidence& evidence) {

@@ -16,10 +16,12 @@ struct ScanEvidence {
 };
 
 /// That of a sonar with these figures, for a scan laid out as `scan`. docs/joint_estimator.md.
-ScanEvidence evidence_of(const SensorFigures& figures, const ScanTable& scan);
+/// @param background share of the false returns around the target that are the uniform background's, in (0,
+/// 1].
+ScanEvidence evidence_of(const SensorFigures& figures, const ScanTable& scan, double background = 1.0);
 
 /// Mean evidence of one scan for a target in view [nats]; see `ScanEvidence::mean`.
-double nats_per_scan(const SensorFigures& figures, const ScanTable& scan);
+double nats_per_scan(const SensorFigures& figures, const ScanTable& scan, double background = 1.0);
 
 /// Log odds grow in steps and so leap beyond a threshold; what they stand above it is the overshoot. Returns
 /// ln of the mean of e^-overshoot [nats], <= 0: the mean odds against a target, when a threshold t is

@@ -52,7 +52,9 @@ class ScanLikelihood {
   /// Rewrites P_F, P_M and sigma in every scan that is kept.
   void set_figures(const SensorFigures& figures) { scans_.set_figures(figures); }
   /// Groups the returns of the scan of this age that one echo may have made.
-  void group(int age, const SpillModel& spill) { scans_.group(age, spill); }
+  void group(int age, const SpillModel& spill, std::span<const float> background) {
+    scans_.group(age, spill, background);
+  }
   /// Sets the background's share of each return of the scan of this age, see ScanHistory.
   void set_background(int age, const std::vector<float>& background) {
     scans_.set_background(age, background);

@@ -33,5 +33,20 @@ TEST(RangeGate, SaysWhenNothingIsLost) {
   EXPECT_TRUE(find_lost_shares(150.0F, 1.0F / 3.0F, one_near, lost));
 }
 
+// Half of what is lost at 150 m by range is a loss of .5 / 150^2 a square metre; at the border .5 of what is
+// left goes out of the gate.
+TEST(RangeGate, RangeTakesEchoesToo) {
+  constexpr float kLoss = 0.5F / (150.0F * 150.0F);
+  const std::array<float, 3> range{0.0F, 75.0F, 150.0F};
+  std::array<float, 3> lost{0.0F, 0.0F, 0.5F}, heard{};
+  add_range_loss(kLoss, range, lost, heard);
+  for (std::size_t i = 0; i < range.size(); ++i)
+    EXPECT_NEAR(heard[i], heard_share(static_cast<double>(kLoss), static_cast<double>(range[i])), 1e-6);
+  EXPECT_NEAR(heard[1], 1.0 - 0.5 / 4.0, 1e-6);
+  EXPECT_NEAR(lost[1], 0.5 / 4.0, 1e-6);
+  EXPECT_NEAR(lost[2], 1.0 - 0.5 * 0.5, 1e-6);
+  EXPECT_NEAR(heard_share(1.0, 150.0), 1.0 - static_cast<double>(kMostRangeLoss), 1e-6);
+}
+
 }  // namespace
 }  // namespace lookout::csht

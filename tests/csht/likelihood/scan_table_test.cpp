@@ -57,7 +57,8 @@ TEST(ScanTable, WhatSilenceGainsAtTheEndOfTheRangeGate) {
   EXPECT_NEAR(table.lost[1], 0.8 / 0.5, 1e-6);
   EXPECT_EQ(table.lost[2], 0.0F);
   EXPECT_EQ(table.lost.front(), 0.0F);
-  EXPECT_EQ(with_figures({.range_gate = false}).lost[1], 0.0F);
+  EXPECT_NEAR(lost_of(table, 1.0 / 3.0, table.max_range), 0.5, 1e-6);  // Half of the returns at the border.
+  EXPECT_EQ(lost_of(with_figures({.range_gate = false}), 1.0 / 3.0, table.max_range), 0.0);
   EXPECT_EQ(with_figures({.clutter = ClutterModel::point, .range_gate = false}).lost[1], 0.0F);
 }
 

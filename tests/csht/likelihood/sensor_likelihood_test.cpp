@@ -57,6 +57,28 @@ TEST(SensorLikelihood, EdgesAreAMixtureOfBothBeams) {
   EXPECT_NEAR(at(1.11), silence, 1e-6);
 }
 
+// With echoes that range takes, P_M is .3 + .4 (r / 150)^2; a tenth of the returns have three times the
+// error.
+TEST(SensorLikelihood, RangeTakesEchoesAndErrorsHaveTails) {
+  SensorFigures figures = kFigures;
+  figures.range_loss = 0.4;
+  figures.tail_share = 0.1;
+  auto table = table_of({{core::radians(0.5), 80.0, 1}}, ClutterModel::exclusive_beam);
+  auto silent = table_of({}, ClutterModel::exclusive_beam);
+  for (ScanTable* one : {&table, &silent}) set_figures(figures, {}, *one);
+  const double range = 88.0, miss = 0.3 + 0.4 * range * range / (150.0 * 150.0);
+  const double density = 0.9 * gaussian(8.0) + 0.1 * gaussian(8.0 / 3.0) / 3.0;
+  EXPECT_NEAR(log_ratio(table, nullptr, in_beam_45(range)),
+              std::log((1 - miss) * density * 150.0 / kFalse + std::exp(-8.0)), 1e-5);
+  EXPECT_NEAR(log_ratio(silent, nullptr, in_beam_45(range)), std::log(miss / (1 - kFalse)), 1e-5);
+  const std::array north{in_beam_45(range).x()}, east{in_beam_45(range).y()}, still{0.0};
+  for (const ScanTable* one : {&table, &silent}) {
+    std::array fast{0.0};
+    add_log_ratio(*one, nullptr, {north, east, still, still}, 0.0, {}, fast);
+    EXPECT_NEAR(fast[0], log_ratio(*one, nullptr, in_beam_45(range)), 1e-4);
+  }
+}
+
 // Under clutter alone a likelihood ratio averages 1 by construction; the return's range is integrated by the
 // midpoint rule. The floor adds what it is: P_F e^-8.
 double mean_under_clutter(ClutterModel clutter, const BeamMask* mask = nullptr, double at = 80.0) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <stdexcept>
+#include <vector>
 
 #include "core/random.hpp"
 #include "csht/likelihood/scan_history.hpp"
@@ -37,7 +38,7 @@ SpillModel taught(double one, double two, ScanHistory& history) {
   core::Random random(3);
   for (int k = 0; k < 100; ++k) {
     history.push(posed_scan(spilt(one, two, random), 500'000 * k));
-    model.learn(history.newest(), kFalseAlarm);
+    model.learn(history.newest(), kFalseAlarm, history.newest().background);
   }
   return model;
 }
@@ -46,7 +47,7 @@ TEST(SpillModel, UniformClutterHasNone) {
   ScanHistory history({}, {}, 2);
   const SpillModel model = taught(0.0, 0.0, history);
   EXPECT_FALSE(model.active());
-  history.group(0, model);
+  history.group(0, model, history.newest().background);
   for (const float share : history.newest().share) EXPECT_EQ(share, 1.0F);
 }
 
@@ -64,7 +65,7 @@ TEST(SpillModel, SharesOfAGroupAddUpToOneEcho) {
   const SpillModel model = taught(0.7, 0.3, history);
   history.push(
       posed_scan({in_beam(39, 80.5), in_beam(40, 80.0), in_beam(41, 79.0), in_beam(70, 30.0)}, 60'000'000));
-  history.group(0, model);
+  history.group(0, model, history.newest().background);
   const ScanTable& scan = history.newest();
   EXPECT_EQ(scan.group[40], scan.group[41]);  // Slots are beams + 1.
   EXPECT_EQ(scan.group[41], scan.group[42]);
@@ -72,8 +73,52 @@ TEST(SpillModel, SharesOfAGroupAddUpToOneEcho) {
   EXPECT_EQ(scan.share[71], 1.0F);
   EXPECT_GT(scan.share[41],
             scan.share[40]);  // Two neighbours hear the middle, one of them only the outer ones.
-  const double real = model.real_share(1);
+  // Two neighbours are two coincidences, of odds `odds` each.
+  const double odds = model.real_share(1) / (1.0 - model.real_share(1));
+  const double real = odds * odds / (1.0 + odds * odds);
   EXPECT_NEAR(scan.share[40] + scan.share[41] + scan.share[42], 3.0 * (1.0 - real) + real, 1e-5);
+}
+
+// Where clutter is fifty times as dense, neighbours are there by chance: each counts for itself.
+TEST(SpillModel, NeighboursInDenseClutterAreNoEcho) {
+  ScanHistory history({}, {}, 2);
+  const SpillModel model = taught(0.7, 0.3, history);
+  history.push(posed_scan({in_beam(39, 80.5), in_beam(40, 80.0), in_beam(41, 79.0)}, 60'000'000));
+  const std::vector<float> background(history.newest().background.size(), 0.02F);
+  history.group(0, model, background);
+  for (std::size_t slot = 40; slot <= 42; ++slot) {
+    EXPECT_GT(history.newest().share[slot], 0.8F);
+    EXPECT_EQ(history.newest().echo_offset[slot], 0.0F);
+  }
+}
+
+// A bottom of .6 returns a beam at 110 m: by the uniform density its neighbours would all be spill.
+TEST(SpillModel, ABottomTeachesNoSpill) {
+  ScanHistory history({}, {}, 2);
+  SpillModel model({});
+  core::Random random(4);
+  for (int k = 0; k < 100; ++k) {
+    std::vector<core::SonarReturn> returns;
+    for (int beam = 0; beam < 90; ++beam)
+      if (random.bernoulli(0.6)) returns.push_back(in_beam(beam, 110.0 + random.gaussian(4.0)));
+    history.push(posed_scan(returns, 500'000L * k));
+    // 0.6 x 0.1 returns a metre at the ring's middle, 90 times the background's 0.1 / 150.
+    const std::vector<float> background(history.newest().background.size(), 1.0F / 90.0F);
+    model.learn(history.newest(), kFalseAlarm, background);
+  }
+  EXPECT_FALSE(model.active());
+}
+
+// All returns of one echo are told where its middle is.
+TEST(SpillModel, SaysWhereTheEchoIs) {
+  ScanHistory history({}, {}, 2);
+  const SpillModel model = taught(0.7, 0.3, history);
+  history.push(posed_scan({in_beam(39, 80.5), in_beam(40, 80.0), in_beam(41, 79.0)}, 60'000'000));
+  history.group(0, model, history.newest().background);
+  const ScanTable& scan = history.newest();
+  EXPECT_NEAR(scan.echo_offset[40], 1.0, 0.1);
+  EXPECT_NEAR(scan.echo_offset[41], 0.0, 0.1);
+  EXPECT_NEAR(scan.echo_offset[42], -1.0, 0.1);
 }
 
 // Eight beams at one range are a wall, no echo.
@@ -83,7 +128,7 @@ TEST(SpillModel, LeavesAWallAlone) {
   std::vector<core::SonarReturn> wall;
   for (int beam = 20; beam < 28; ++beam) wall.push_back(in_beam(beam, 60.0));
   history.push(posed_scan(wall, 60'000'000));
-  history.group(0, model);
+  history.group(0, model, history.newest().background);
   for (int beam = 20; beam < 28; ++beam)
     EXPECT_EQ(history.newest().group[static_cast<std::size_t>(beam) + 1], -1);
 }

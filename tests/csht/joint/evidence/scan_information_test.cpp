@@ -38,6 +38,14 @@ TEST(NatsPerScan, AnUncertainBeamCostsItsEntropy) {
       0.9 * 2.11, 0.05);
 }
 
+// Where false returns are ten times as dense, each of .9 detections says ln 10 less, and a silence what it
+// did.
+TEST(NatsPerScan, DenseClutterCostsItsLogarithm) {
+  const ScanHistory scans = one_scan(0.1, 0.1);
+  const double clear = nats_per_scan(scans.figures(), scans.newest());
+  EXPECT_NEAR(clear - nats_per_scan(scans.figures(), scans.newest(), 0.1), 0.9 * std::log(10.0), 1e-6);
+}
+
 TEST(LogOvershoot, OfOddsThatCreepIsNothing) {
   EXPECT_NEAR(log_overshoot({0.5, 0.01, 0.01}), 0.0, 0.006);  // Half a step.
   EXPECT_EQ(log_overshoot({0.5, -1.0, -1.0}), 0.0);
