@@ -93,10 +93,10 @@ TimedScore score(tools::ComparedLists lists, const tools::Options& options) {
     const py::gil_scoped_release unlocked;
     const tools::Metric& metric = tools::metric_of(options);
     tools::make_scorer(options);  // A bad number stops here, before the work.
-    const tools::Comparison comparison(std::move(lists), options);
-    result.score = metric.score(comparison, options);
-    for (const auto& time : comparison.times()) result.times.push_back(time.truth.utime);
-    notes = comparison.notes();
+    const tools::MatchedLists matched(std::move(lists), options);
+    result.score = metric.score(matched, options);
+    for (const auto& time : matched.times()) result.times.push_back(time.truth.utime);
+    notes = matched.notes();
   }
   warn(notes);
   return result;
@@ -106,8 +106,8 @@ TrackQualityResult quality(tools::ComparedLists lists, const tracking::TrackQual
                            const tools::Options& options) {
   const py::gil_scoped_release unlocked;
   tracking::TrackQuality quality(params);
-  const tools::Comparison comparison(std::move(lists), options);
-  for (const auto& time : comparison.times()) quality.add(time.truth, time.tracks);
+  const tools::MatchedLists matched(std::move(lists), options);
+  for (const auto& time : matched.times()) quality.add(time.truth, time.tracks);
   return quality.result();
 }
 
