@@ -17,7 +17,10 @@ class FrameCounts {
 
   /// What lies beyond the fan around the place: there one side stands for both.
   struct Border {
-    bool left = false, right = false, near = false, far = false;
+    bool left = false;   ///< No beams there.
+    bool right = false;  ///< The same to the right.
+    bool near = false;   ///< No ranges below.
+    bool far = false;    ///< None above.
   };
 
   /// Takes a return `across` beams to starboard and `along` reaches beyond the place, that counts `weight`.
