@@ -19,6 +19,7 @@ constexpr double kClear = 0.5;
 constexpr double kTriangle = 2.0 / 3.0;
 // Standing things are often sharper than the sonar's error: the earth's kernel has a second, finer one in it.
 constexpr double kFine = 1.0 / 3.0;
+constexpr double kCorners = 0.25;  // Share of what is dense that lies at its corners.
 
 // A triangle of height 1 and half width 1.
 double triangle(double x) {
@@ -261,15 +262,15 @@ std::vector<ClutterMap::PricedPlace> ClutterMap::places(const ScanTable& scan, d
 
 double ClutterMap::background_at(const ScanTable& scan, const Place& place, double rate) const {
   const double base = typical_.at_most(rate);
-  const double density =
-      1.0 + std::max({spot_excess(scan, place, base).density(), frame_excess(scan, place, base).density(),
-                      earth_excess(scan, place, base).density()});
+  const double density = 1.0 + std::max({spot_excess(scan, place, base, spot_us_).density(),
+                                         frame_excess(scan, place, base, true).density(),
+                                         earth_excess(scan, place, base).density()});
   return std::min(1.0, rate / (base * density));
 }
 
 // What lies around a place in all scans but its own: it needs no past, and a target that moves along with the
 // sonar does not price its own returns.
-Excess ClutterMap::frame_excess(const ScanTable& scan, const Place& place, double rate) const {
+Excess ClutterMap::frame_excess(const ScanTable& scan, const Place& place, double rate, bool corners) const {
   FrameCounts frame;
   const double y = place.range / range_reach_;
   sonar_.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
@@ -283,20 +284,28 @@ Excess ClutterMap::frame_excess(const ScanTable& scan, const Place& place, doubl
       .left = place.beam - FrameCounts::kToSide<-half, .right = place.beam + FrameCounts::kToSide> half,
       .near = y<FrameCounts::kToEnd, .far = y + FrameCounts::kToEnd> scan.max_range / range_reach_};
   const double per_area = num_others_ * rate / scan.num_beams * range_reach_ / scan.max_range;
-  const ExcessPrior prior = sonar_prior();
+  ExcessPrior prior = sonar_prior();
   const Excess across = excess(frame.beside(border), per_area * FrameCounts::kBesideArea, prior);
   const Excess along = excess(frame.around(border), per_area * FrameCounts::kAroundArea, prior);
-  return across.density() > along.density() ? across : along;
+  const Excess both = across.density() > along.density() ? across : along;
+  prior.share *= kCorners;
+  // At a corner of what is dense one side alone has it: then what lies at the place counts, up to that.
+  const Excess edge = excess(frame.richest(), 0.5 * per_area * FrameCounts::kBesideArea, prior);
+  if (!corners || edge.density() <= both.density()) return both;
+  const Excess spot = spot_excess(scan, place, rate, leave_out_us_);
+  const Excess& least = spot.density() < edge.density() ? spot : edge;
+  return least.density() > both.density() ? least : both;
 }
 
 // What lies at a place, but long before or after: a target that moves along with the sonar is found by then.
-Excess ClutterMap::spot_excess(const ScanTable& scan, const Place& place, double rate) const {
+Excess ClutterMap::spot_excess(const ScanTable& scan, const Place& place, double rate,
+                               std::int64_t leave_out_us) const {
   const double y = place.range / range_reach_, reach = params_.sonar_beams;
   double count = 0.0, looks = 0.0;
-  for (const Look& look : looks_) looks += std::abs(look.utime - scan.utime) > spot_us_ ? 1.0 : 0.0;
+  for (const Look& look : looks_) looks += std::abs(look.utime - scan.utime) > leave_out_us ? 1.0 : 0.0;
   if (looks == 0.0) return {};
   sonar_.visit(place.beam, y, reach, 1.0, [&](const BinnedPoint& p) {
-    if (std::abs(utime_of(p) - scan.utime) <= spot_us_) return;
+    if (std::abs(utime_of(p) - scan.utime) <= leave_out_us) return;
     count += static_cast<double>(p.weight) * triangle((static_cast<double>(p.x) - place.beam) / reach) *
              triangle(static_cast<double>(p.y) - y);
   });
@@ -405,7 +414,8 @@ void ClutterMap::learn(const ScanTable& newest, std::span<const double> own, dou
   if (num_counted_ > 0.0) earth_dense_.begin_scan();
   for (std::size_t j = 0; j < newest.detections.size(); ++j) {
     const Place place = place_of(newest, newest.detections[j]);
-    const Excess spot = spot_excess(newest, place, rate), frame = frame_excess(newest, place, rate);
+    const Excess spot = spot_excess(newest, place, rate, spot_us_),
+                 frame = frame_excess(newest, place, rate, false);
     const Excess& sonar = spot.density() > frame.density() ? spot : frame;
     sonar_dense_.take(1.0 - own[j], sonar.density() > 0.0 ? sonar.probability : 0.0, sonar.rate);
     if (num_counted_ == 0.0) continue;

@@ -34,7 +34,7 @@ struct ClutterMapParams {
   ExcessPrior sonar_prior{
       .share = 0.02,
       .shape = 2.0,
-      .mean = 1.0};          ///< Of places in the sonar's frame, before any return; its mean is learnt,
+      .mean = 1.0};         ///< Of places in the sonar's frame, before any return; its mean is learnt,
   double most_dense = 0.2;  ///< and its share, up to this, < 1: above, the background is taken for dense.
   DenseReturnsParams sonar_learning;  ///< How.
   double earth_shape = 0.5;           ///< Of places in the earth's frame, as ExcessPrior::shape.
@@ -121,10 +121,10 @@ class ClutterMap {
   std::int64_t utime_of(const BinnedPoint& p) const {
     return looks_[static_cast<std::size_t>(p.look - looks_.front().number)].utime;
   }
-  Excess spot_excess(const ScanTable& scan, const Place& place, double rate) const;
+  Excess spot_excess(const ScanTable& scan, const Place& place, double rate, std::int64_t leave_out_us) const;
   Excess earth_excess(const ScanTable& scan, const Place& place, double rate) const;
   double background_at(const ScanTable& scan, const Place& place, double rate) const;
-  Excess frame_excess(const ScanTable& scan, const Place& place, double rate) const;
+  Excess frame_excess(const ScanTable& scan, const Place& place, double rate, bool corners) const;
   ExcessPrior sonar_prior() const;
   ExcessPrior earth_prior() const;
   double clear_around(const ScanTable& scan, const Place& place, double rate) const;

@@ -20,6 +20,15 @@ void FrameCounts::take(double across, double along, double weight, bool before) 
   if (b > kMiddleReaches && b <= kReaches && a <= kMiddleBeams) sides[along < 0.0 ? 2 : 3] += weight;
 }
 
+double FrameCounts::richest() const {
+  double most = 0.0;
+  for (std::size_t side = 0; side < 4; ++side) {
+    const double count = counts_[0][side] + counts_[1][side];
+    most = std::max(most, side < 2 ? count : count * kBesideArea / kAroundArea);
+  }
+  return most;
+}
+
 double FrameCounts::sum(std::size_t first, bool first_is_beyond, bool second_is_beyond) const {
   double total = 0.0;
   for (const auto& sides : counts_) {

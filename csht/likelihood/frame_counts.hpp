@@ -33,6 +33,9 @@ class FrameCounts {
   double beside(const Border& border) const { return sum(0, border.left, border.right); }
   double around(const Border& border) const { return sum(2, border.near, border.far); }  ///< See `beside`.
 
+  /// Most returns for its area that a single side or end has, in units of a side's area.
+  double richest() const;
+
   /// Area of both sides, and of both ends [beams x reaches].
   static constexpr double kBesideArea = 2.0 * (kBeams - kMiddleBeams) * 2.0 * kMiddleReaches;
   static constexpr double kAroundArea =

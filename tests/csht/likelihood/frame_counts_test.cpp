@@ -35,6 +35,15 @@ TEST(FrameCounts, ATrailDoesNotCount) {
   EXPECT_NEAR(frame.beside(kInside), 2.0 * 6.0, 1e-9);
 }
 
+// An end has half of the area of a side.
+TEST(FrameCounts, TheRichestSideCountsByItsArea) {
+  FrameCounts frame;
+  for (int k = 0; k < 36; ++k) frame.take(-4.0, 0.0, 1.0, k % 2 == 0);
+  EXPECT_NEAR(frame.richest(), 36.0, 1e-9);
+  for (int k = 0; k < 20; ++k) frame.take(0.0, 1.5, 1.0, true);
+  EXPECT_NEAR(frame.richest(), 20.0 * FrameCounts::kBesideArea / FrameCounts::kAroundArea, 1e-9);
+}
+
 TEST(FrameCounts, AtTheBorderOneSideStandsForBoth) {
   FrameCounts frame;
   for (int k = 0; k < 36; ++k) frame.take(-4.0, 0.0, 1.0, true);
