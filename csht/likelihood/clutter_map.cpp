@@ -43,6 +43,17 @@ std::optional<std::size_t> slot_of(const ScanTable& scan, std::size_t index) {
   return slot;
 }
 
+// What lies beyond the fan around a place, in beams from its middle and in reaches.
+FrameCounts::Border border_of(const ScanTable& scan, double beam, double reaches, double last_reach) {
+  const double half = scan.whole_circle ? scan.num_beams : 0.5 * scan.num_beams;
+  FrameCounts::Border border;
+  border.left = beam - FrameCounts::kToSide < -half;
+  border.right = beam + FrameCounts::kToSide > half;
+  border.near = reaches - FrameCounts::kToEnd < 0.0;
+  border.far = reaches + FrameCounts::kToEnd > last_reach;
+  return border;
+}
+
 std::int64_t microseconds(double seconds) {
   return static_cast<std::int64_t>(seconds * kMicroseconds);
 }
@@ -279,10 +290,7 @@ Excess ClutterMap::frame_excess(const ScanTable& scan, const Place& place, doubl
       frame.take(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y,
                  static_cast<double>(p.weight), utime < scan.utime);
   });
-  const double half = scan.whole_circle ? scan.num_beams : 0.5 * scan.num_beams;
-  const FrameCounts::Border border{
-      .left = place.beam - FrameCounts::kToSide<-half, .right = place.beam + FrameCounts::kToSide> half,
-      .near = y<FrameCounts::kToEnd, .far = y + FrameCounts::kToEnd> scan.max_range / range_reach_};
+  const FrameCounts::Border border = border_of(scan, place.beam, y, scan.max_range / range_reach_);
   const double per_area = num_others_ * rate / scan.num_beams * range_reach_ / scan.max_range;
   ExcessPrior prior = sonar_prior();
   const Excess across = excess(frame.beside(border), per_area * FrameCounts::kBesideArea, prior);
