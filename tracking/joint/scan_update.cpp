@@ -81,7 +81,9 @@ void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
   const double evidence = track.cloud.reweigh(track.log_ratio);
   track.log_odds += evidence;
   track.highest_log_odds = std::max(track.highest_log_odds, track.log_odds);
-  const bool tells = !track.out_of_view && !(shared && state.likelihood.contested(self, track.moments.mean));
+  const bool looked_at = !state.looks().several() || in_view(track.moments.mean.head<2>(), scans.newest());
+  const bool tells =
+      looked_at && !track.out_of_view && !(shared && state.likelihood.contested(self, track.moments.mean));
   track.recent.add(evidence, tells ? csht::nats_per_scan(scans.figures(), scans.newest()) : evidence);
   const double enough = cloud_.refresh_share * static_cast<double>(track.cloud.size());
   if (track.cloud.motion == csht::Motion::constant_acceleration || track.cloud.effective_size() < enough)
