@@ -35,14 +35,23 @@ double log_volume(const CloudMoments& moments) {
 
 ClutterLearning::ClutterLearning(const ClutterLearningParams& params, const core::SonarParams& sonar)
     : params_(params),
-      map_(params.map, sonar),
-      spill_(params.spill),
+      sonar_(sonar),
+      sensors_{{ClutterMap(params.map, sonar), SpillModel(params.spill)}},
       sure_age_s_(params.sure_age * unit_of_time(sonar)),
       max_speed_(sonar.max_speed) {}
+
+// What was learnt of the sonar that made this scan, the newest.
+ClutterLearning::Sensor& ClutterLearning::sensor_of(const ScanTable& newest) {
+  newest_ = static_cast<std::size_t>(newest.sensor);
+  while (sensors_.size() <= newest_)
+    sensors_.push_back({ClutterMap(params_.map, sonar_), SpillModel(params_.spill)});
+  return sensors_[newest_];
+}
 
 void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   if (!params_.map.enabled) return;
   const ScanTable& newest = likelihood.scans().newest();
+  Sensor& sensor = sensor_of(newest);
   if (background_.empty()) reserve(newest, likelihood.scans().capacity());
   background_[0].resize(newest.background.size());
   const double rate = background_rate(likelihood);
@@ -50,11 +59,11 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   // Neighbours are first taken for one echo, and priced at its place: by their own places the trail of an
   // echo that spills would pass for dense clutter.
   background.assign(background.size(), 1.0F);
-  likelihood.group(0, spill_, background);
-  map_.price(newest, rate, background);
-  spill_.learn(newest, likelihood.scans().figures().false_alarm_probability, background);
-  likelihood.group(0, spill_, background);
-  map_.price(newest, rate, background);
+  likelihood.group(0, sensor.spill, background);
+  sensor.map.price(newest, rate, background);
+  sensor.spill.learn(newest, likelihood.scans().figures().false_alarm_probability, background);
+  likelihood.group(0, sensor.spill, background);
+  sensor.map.price(newest, rate, background);
   group(0, likelihood);
   likelihood.set_background(0, background_[0]);
 }
@@ -62,7 +71,7 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
 // Returns that one echo may have made count once.
 void ClutterLearning::group(int age, ScanLikelihood& likelihood) {
   std::vector<float>& background = background_[static_cast<std::size_t>(age)];
-  likelihood.group(age, spill_, background);
+  likelihood.group(age, sensors_[newest_].spill, background);
   const ScanTable& scan = likelihood.scans().at_age(age);
   if (scan.clutter == ClutterModel::point) return;
   for (std::size_t slot = 0; slot < scan.share.size(); ++slot) background[slot] *= scan.share[slot];
@@ -70,7 +79,8 @@ void ClutterLearning::group(int age, ScanLikelihood& likelihood) {
 
 std::optional<core::ClutterGrid> ClutterLearning::grid(const ScanLikelihood& likelihood) const {
   if (!params_.map.enabled || likelihood.scans().size() == 0) return std::nullopt;
-  return clutter_grid(map_, likelihood.scans().newest(), background_rate(likelihood));
+  const ScanTable& newest = likelihood.scans().newest();
+  return clutter_grid(sensors_[newest_].map, newest, background_rate(likelihood));
 }
 
 void ClutterLearning::reserve(const ScanTable& scan, int scans) {
@@ -84,9 +94,10 @@ void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likel
   const ScanHistory& scans = likelihood.scans();
   mark(tracks, [](const TargetTrack& track) { return track.existence() > kLikely; });
   own_returns(0, likelihood);
-  map_.learn(scans.newest(), own_, background_rate(likelihood));
-  map_.add(scans.newest());
-  if (scans.pushed() % params_.judge_every != 0) return;
+  Sensor& sensor = sensor_of(scans.newest());
+  sensor.map.learn(scans.newest(), own_, background_rate(likelihood));
+  sensor.map.add(scans.newest());
+  if (++sensor.scans % params_.judge_every != 0) return;
   discount_movers(tracks, likelihood);
   judge_anew(tracks, likelihood);
 }
@@ -104,8 +115,9 @@ void ClutterLearning::discount_movers(std::span<const TargetTrack> tracks, const
   const std::int64_t now = scans.newest().utime;
   if (!mark(tracks, [&](const TargetTrack& track) { return surely_moves(track, now); })) return;
   for (int age = 0; age < scans.size(); ++age) {
+    if (scans.at_age(age).sensor != scans.newest().sensor) continue;
     own_returns(age, likelihood);
-    map_.discount(scans.at_age(age), own_, background_rate(likelihood));
+    sensors_[newest_].map.discount(scans.at_age(age), own_, background_rate(likelihood));
   }
 }
 
@@ -154,10 +166,11 @@ void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
   const double rate = background_rate(likelihood);
   changed_.clear();
   for (int age = 0; age < scans.size(); ++age) {
+    if (scans.at_age(age).sensor != scans.newest().sensor) continue;
     const std::vector<float>& before = scans.at_age(age).background;
     std::vector<float>& now = background_[static_cast<std::size_t>(age)];
     now.resize(before.size());
-    map_.price(scans.at_age(age), rate, now);
+    sensors_[newest_].map.price(scans.at_age(age), rate, now);
     group(age, likelihood);
     const auto differs = [&](float one, float other) {
       return std::abs(one - other) > static_cast<float>(params_.least_change) * other;

@@ -37,9 +37,16 @@ class ClutterLearning {
   /// What the map holds, around the sonar of the newest scan; nothing without a map or a scan.
   std::optional<core::ClutterGrid> grid(const ScanLikelihood& likelihood) const;
 
-  double standing_share() const { return map_.standing_share(); }  ///< See ClutterMap.
+  double standing_share() const { return sensors_[newest_].map.standing_share(); }  ///< See ClutterMap.
 
  private:
+  struct Sensor {  // What is learnt of one sonar.
+    ClutterMap map;
+    SpillModel spill;
+    std::int64_t scans = 0;  // Taken in.
+  };
+
+  Sensor& sensor_of(const ScanTable& newest);
   void group(int age, ScanLikelihood& likelihood);
   void reserve(const ScanTable& scan, int scans);
   template <class Condition>
@@ -53,8 +60,9 @@ class ClutterLearning {
   void take_change(int slot, TargetTrack& track) const;
 
   ClutterLearningParams params_;
-  ClutterMap map_;
-  SpillModel spill_;
+  core::SonarParams sonar_;
+  std::vector<Sensor> sensors_;  ///< By number.
+  std::size_t newest_ = 0;       ///< Number of the newest scan's.
   double sure_age_s_, max_speed_;
   double mean_life_s_ = std::numeric_limits<double>::infinity();
   std::vector<std::vector<float>> background_;             ///< New prices by age,

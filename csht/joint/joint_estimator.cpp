@@ -83,9 +83,9 @@ std::span<const core::MotionElement> JointEstimator::update(const core::PosedSca
 }
 
 std::optional<core::SensorEstimate> JointEstimator::sensor_estimate() const {
-  if (offered_ != nullptr) return offered_->learning.estimate();
+  if (offered_ != nullptr) return offered_->learning().estimate();
   if (!own_) return std::nullopt;
-  return own_->scene.learning.estimate();
+  return own_->scene.learning().estimate();
 }
 
 void JointEstimator::find_beyond(JointScene& scene) {

@@ -27,12 +27,14 @@ JointScene::JointScene(const JointEngineParams& params, const core::SonarParams&
                  params.hypotheses.max_tracks, prior),
       sampler(params.cloud, prior, random),
       undetected(params.birth, prior),
-      learning(params.learning, sonar),
       clutter(params.clutter, sonar),
       source_(source),
+      sonar_(sonar),
+      learning_(params.learning),
+      learnings_{SensorLearning(params.learning, sonar)},
       looks_anew_(params.scans_kept.has_value()),
       max_tracks_(static_cast<std::size_t>(params.hypotheses.max_tracks)) {
-  likelihood.set_figures(learning.figures());
+  likelihood.set_figures(learning().figures());
   const auto largest = static_cast<std::size_t>(params.cloud.trajectories);
   fresh.reserve(largest);
   tracks.reserve(max_tracks_);
@@ -45,15 +47,24 @@ JointScene::JointScene(const JointEngineParams& params, const core::SonarParams&
 
 double JointScene::take(const core::PosedScan& scan) {
   random.reseed(source_.seed, source_.stream, static_cast<std::uint64_t>(scan.scan.sequence));
-  likelihood.push(scan, looks_anew_ ? 1.0 : undetected.relative());
+  newest_sensor_ = static_cast<std::size_t>(looks_.take(scan.scan.sensor_id, scan.scan.utime));
+  push(scan);
   clutter.price_newest(likelihood);
   const double seconds = scans().size() < 2 ? 0.0 : -scans().seconds_at_age(1);
   undetected.update(scans().newest(), scans().figures(), seconds);
   return seconds;
 }
 
+void JointScene::push(const core::PosedScan& scan) {
+  while (learnings_.size() <= newest_sensor_) {
+    learnings_.emplace_back(learning_, sonar_);
+    if (scans().size() == 0) likelihood.set_figures(learnings_.back().figures());
+  }
+  likelihood.push(scan, looks_anew_ ? 1.0 : undetected.relative(), static_cast<int>(newest_sensor_));
+}
+
 void JointScene::learn() {
-  learning.learn(tracks, likelihood);
+  learnings_[newest_sensor_].learn(tracks, likelihood);
   clutter.learn(tracks, likelihood);
 }
 

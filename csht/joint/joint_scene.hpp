@@ -13,6 +13,7 @@
 #include "csht/joint/evidence/trajectory_sampler.hpp"
 #include "csht/joint/evidence/undetected_targets.hpp"
 #include "csht/joint/sensor_learning.hpp"
+#include "csht/joint/sensor_looks.hpp"
 
 namespace lookout::csht {
 
@@ -35,13 +36,16 @@ class JointScene {
   ScanLikelihood likelihood;        ///< The scans in memory, and who claims what of them.
   TrajectorySampler sampler;        ///< Draws densities of trajectories under that likelihood.
   UndetectedTargets undetected;     ///< How many targets no track stands for.
-  SensorLearning learning;          ///< The sensor's figures, from the same scans.
   ClutterLearning clutter;          ///< Where false returns are dense, from the same scans.
   TrajectoryCloud fresh;            ///< Where a cloud is drawn before it replaces another.
   std::vector<TargetTrack> tracks;  ///< Slots, used again when free.
 
   /// Takes the next scan, later than all before it. @return seconds since the one before; 0 for the first.
   double take(const core::PosedScan& scan);
+
+  /// What is learnt of the figures of the newest scan's sonar, from the same scans.
+  const SensorLearning& learning() const { return learnings_[newest_sensor_]; }
+  const SensorLooks& looks() const { return looks_; }  ///< Which sonars look, and when each did last.
 
   void learn();  ///< The sensor's figures and the density of false returns, from the newest scan.
 
@@ -60,7 +64,14 @@ class JointScene {
   void set_expected_targets(double expected);               ///< In the field of view, > 0, as it is learnt.
 
  private:
+  void push(const core::PosedScan& scan);
+
   DrawSource source_;
+  core::SonarParams sonar_;
+  SensorLearningParams learning_;
+  std::vector<SensorLearning> learnings_;  ///< By sonar.
+  std::size_t newest_sensor_ = 0;
+  SensorLooks looks_;
   bool looks_anew_;  ///< A window of given length: its targets count as undetected when it begins.
   std::size_t max_tracks_;
   std::int64_t last_id_ = 0;

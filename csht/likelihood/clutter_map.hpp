@@ -37,7 +37,7 @@ struct ClutterMapParams {
       .mean = 1.0};         ///< Of places in the sonar's frame, before any return; its mean is learnt,
   double most_dense = 0.2;  ///< and its share, up to this, < 1: above, the background is taken for dense.
   DenseReturnsParams sonar_learning;  ///< How.
-  double earth_shape = 0.5;           ///< Of places in the earth's frame, as ExcessPrior::shape.
+  double earth_shape = 0.5;           ///< Of places in the earth's frame, as ExcessPrior::shape, > 0.
   /// Their share is this, > 0, and grows by `share_growth` times the share of returns from what stands, up to
   /// `most_share`, < 1.
   double least_share = 0.02, share_growth = 1.5, most_share = 0.4;

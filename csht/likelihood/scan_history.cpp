@@ -8,22 +8,28 @@
 namespace lookout::csht {
 
 ScanHistory::ScanHistory(const SensorFigures& figures, const SensorModelParams& model, int capacity)
-    : figures_(figures), model_(model) {
+    : figures_{figures}, empty_scans_(1), given_(figures), model_(model) {
   validate(figures);
   validate(model);
   core::require(capacity >= 1, "capacity must be >= 1", capacity);
   tables_.resize(static_cast<std::size_t>(capacity));
 }
 
-int ScanHistory::push(const core::PosedScan& scan) {
+int ScanHistory::push(const core::PosedScan& scan, int sensor) {
+  sensor_ = static_cast<std::size_t>(sensor);
+  if (sensor_ >= figures_.size()) {
+    figures_.resize(sensor_ + 1, given_);
+    empty_scans_.resize(sensor_ + 1);
+  }
   newest_ = (newest_ + 1) % capacity();
   size_ = std::min(size_ + 1, capacity());
   ++pushed_;
   make_room(scan.scan.returns.size(), static_cast<std::size_t>(scan.scan.num_beams) + 2);
   ScanTable& table = tables_[static_cast<std::size_t>(newest_)];
   const int left_out = fill_scan_table(scan, table);
-  table.listened = static_cast<float>(empty_scans_.take(table.detections.size()));
-  csht::set_figures(figures_, model_, table);
+  table.sensor = sensor;
+  table.listened = static_cast<float>(empty_scans_[sensor_].take(table.detections.size()));
+  rewrite(table);
   return left_out;
 }
 
@@ -56,8 +62,14 @@ double ScanHistory::seconds_at_age(int age) const {
 
 void ScanHistory::set_figures(const SensorFigures& figures) {
   validate(figures);
-  figures_ = figures;
-  for (int age = 0; age < size_; ++age) csht::set_figures(figures_, model_, table_at(age));
+  if (size_ == 0) given_ = figures;
+  figures_[sensor_] = figures;
+  for (int age = 0; age < size_; ++age)
+    if (at_age(age).sensor == static_cast<int>(sensor_)) rewrite(table_at(age));
+}
+
+void ScanHistory::rewrite(ScanTable& table) const {
+  csht::set_figures(figures_[static_cast<std::size_t>(table.sensor)], model_, table);
 }
 
 ScanTable& ScanHistory::table_at(int age) {
@@ -73,11 +85,12 @@ void ScanHistory::set_background(int age, const std::vector<float>& background) 
   ScanTable& table = table_at(age);
   assert(background.size() == table.background.size());
   std::copy(background.begin(), background.end(), table.background.begin());
-  csht::set_figures(figures_, model_, table);
+  rewrite(table);
 }
 
 void ScanHistory::set_heading_error(int age, const HeadingError& error) {
-  csht::set_heading_error(error, figures_, table_at(age));
+  ScanTable& table = table_at(age);
+  csht::set_heading_error(error, figures_[static_cast<std::size_t>(table.sensor)], table);
 }
 
 void ScanHistory::clear() {

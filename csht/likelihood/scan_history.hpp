@@ -16,8 +16,9 @@ class ScanHistory {
   /// @param capacity scans kept, >= 1. @throws std::invalid_argument on a bad value.
   ScanHistory(const SensorFigures& figures, const SensorModelParams& model, int capacity);
 
-  /// Takes the next scan and forgets the oldest beyond the capacity. @return returns left out as impossible.
-  int push(const core::PosedScan& scan);
+  /// Takes the next scan and forgets the oldest beyond the capacity. @param sensor number of the sonar, >= 0;
+  /// one that was not heard before has the given figures. @return returns left out as impossible.
+  int push(const core::PosedScan& scan, int sensor = 0);
 
   /// The scan `age` scans before the newest, 0 <= age < size().
   const ScanTable& at_age(int age) const;
@@ -29,10 +30,10 @@ class ScanHistory {
   int capacity() const { return static_cast<int>(tables_.size()); }  ///< Most scans that are kept.
   std::int64_t pushed() const { return pushed_; }  ///< Scans ever taken; names a scan as pushed() - 1 - age.
 
-  /// Rewrites the figures of every table kept.
+  /// Sets the figures of the newest scan's sonar, and rewrites those of its tables; before any scan, of all.
   void set_figures(const SensorFigures& figures);
-  const SensorFigures& figures() const { return figures_; }  ///< As every table kept has them.
-  const SensorModelParams& model() const { return model_; }  ///< As given.
+  const SensorFigures& figures() const { return figures_[sensor_]; }  ///< Of the newest scan's sonar.
+  const SensorModelParams& model() const { return model_; }           ///< As given.
 
   /// Groups the returns of the scan of that age that one echo may have made.
   void group(int age, const SpillModel& spill, std::span<const float> background);
@@ -48,13 +49,17 @@ class ScanHistory {
   ScanTable& table_at(int age);
   void make_room(std::size_t returns, std::size_t slots);
 
-  SensorFigures figures_;
+  void rewrite(ScanTable& table) const;
+
+  std::vector<SensorFigures> figures_;   ///< By sonar,
+  std::vector<EmptyScans> empty_scans_;  ///< and likewise.
+  std::size_t sensor_ = 0;               ///< Of the newest scan.
+  SensorFigures given_;
   SensorModelParams model_;
   std::vector<ScanTable> tables_;
   int size_ = 0;
   int newest_ = -1;
   std::int64_t pushed_ = 0;
-  EmptyScans empty_scans_;
   std::size_t densest_ = 0, widest_ = 0;  ///< Most returns and slots of a scan so far.
 };
 

@@ -23,6 +23,7 @@ struct HeadingError {
 /// sector is the whole circle, the slots repeat the beams across the seam.
 struct ScanTable {
   std::int64_t utime = 0;     ///< Scenario time of the scan [us].
+  int sensor = 0;             ///< Number of the sonar that made it, >= 0: each has figures of its own.
   core::Pose2 T_earth_sonar;  ///< As stated, but for the mean of `heading_error`.
   /// What is believed of the heading's error; nothing where it is taken for exact.
   std::optional<HeadingError> heading_error;

@@ -155,11 +155,21 @@ void SensorFigureEstimator::update(const ScanHistory& history, std::span<const K
   claims_.clear(history, 1);
   for (const auto& target : targets) claims_.claim(history, target.samples, target.existence);
   learn_clutter(history);
-  if (history.size() > params_.settle_scans)
+  if (const std::optional<int> age = settled_age(history))
     for (std::size_t k = 0; k < targets.size(); ++k)
-      if (targets[k].existence >= params_.sure_existence && targets[k].held_scans >= params_.settle_scans)
-        learn_target(history, k, targets);
+      if (targets[k].existence >= params_.sure_existence && targets[k].held_scans >= *age)
+        learn_target(history, *age, k, targets);
   choose();
+}
+
+// Of this sonar's newest scan that has settled; nothing where it was learnt from already.
+std::optional<int> SensorFigureEstimator::settled_age(const ScanHistory& history) {
+  int age = params_.settle_scans;
+  while (age < history.size() && history.at_age(age).sensor != history.newest().sensor) ++age;
+  const std::int64_t scan = history.pushed() - age;
+  if (age >= history.size() || scan <= learnt_) return std::nullopt;
+  learnt_ = scan;
+  return age;
 }
 
 // False alarms: in beams that no target owns; of a sensor without beams, returns that none owns.
@@ -178,6 +188,7 @@ void SensorFigureEstimator::learn_clutter(const ScanHistory& history) {
     for (std::size_t k = 0; k < latest.free.size(); ++k) latest.free[k] = 1.0F - mask->share[k];
   double faded = 1.0;
   for (int age = 0; age < history.size(); ++age, faded *= fading()) {
+    if (history.at_age(age).sensor != newest.sensor) continue;
     Clutter& clutter = of_age(age);
     const Share before = clutter.share;
     take_clutter(history.at_age(age), clutter);
@@ -204,11 +215,11 @@ void SensorFigureEstimator::take_clutter(const ScanTable& scan, Clutter& clutter
   }
 }
 
-// Called once for each scan and target, `settle_scans` later, when it is known where the target was.
-void SensorFigureEstimator::learn_target(const ScanHistory& history, std::size_t index,
+// Called once for each scan and target, `settle_scans` or more later, when it is known where the target was.
+void SensorFigureEstimator::learn_target(const ScanHistory& history, int age, std::size_t index,
                                          std::span<const KnownTarget> targets) {
-  const ScanTable& scan = history.at_age(params_.settle_scans);
-  const double seconds = history.seconds_at_age(params_.settle_scans);
+  const ScanTable& scan = history.at_age(age);
+  const double seconds = history.seconds_at_age(age);
   const auto& samples = targets[index].samples;
   const Eigen::Vector2d sonar(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
   const auto line_of_sight = [&](const KnownTarget& target) -> Eigen::Vector2d {

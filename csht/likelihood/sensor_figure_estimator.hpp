@@ -84,7 +84,9 @@ class SensorFigureEstimator {
 
   void learn_clutter(const ScanHistory& history);
   void take_clutter(const ScanTable& scan, Clutter& clutter) const;
-  void learn_target(const ScanHistory& history, std::size_t index, std::span<const KnownTarget> targets);
+  std::optional<int> settled_age(const ScanHistory& history);
+  void learn_target(const ScanHistory& history, int age, std::size_t index,
+                    std::span<const KnownTarget> targets);
   void learn_return(const ScanTable& scan, std::span<const Eigen::Vector4d> samples, double seconds);
   double fading() const { return 1.0 - 1.0 / params_.memory_scans; }  // From one scan to the next.
   void choose();
@@ -100,6 +102,7 @@ class SensorFigureEstimator {
   std::vector<Clutter> clutter_;  ///< Of the scans in memory, by their number modulo the history's capacity.
   double squares_ = 0.0, returns_ = 0.0;  ///< Squared range residuals [m^2], and returns.
   std::int64_t utime_ = 0;
+  std::int64_t learnt_ = 0;  ///< Number from 1 of the newest scan that taught P_M and sigma.
   int num_beams_ = 1;
   bool doubts_miss_ = false, doubts_false_ = false, doubts_sigma_ = false;
 };

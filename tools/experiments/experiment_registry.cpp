@@ -20,6 +20,7 @@
 #include "tools/experiments/tracking/manoeuvres.hpp"
 #include "tools/experiments/tracking/radar_recordings.hpp"
 #include "tools/experiments/tracking/sea.hpp"
+#include "tools/experiments/tracking/sensors.hpp"
 #include "tools/experiments/window/csht_ablation.hpp"
 #include "tools/experiments/window/csht_window.hpp"
 
@@ -34,6 +35,7 @@ const std::array kExperiments{
     ExperimentEntry{"manoeuvres", make_manoeuvres},
     ExperimentEntry{"recordings", make_recordings},
     ExperimentEntry{"sea", make_sea},
+    ExperimentEntry{"sensors", make_sensors},
     ExperimentEntry{"faults", make_faults},
     ExperimentEntry{"nht-simulated", make_nht_simulated},
     ExperimentEntry{"nht-real", make_nht_real},

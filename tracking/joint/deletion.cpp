@@ -39,8 +39,12 @@ void Deletion::end_lives(TrackerState& state) const {
 
 void Deletion::note_view(csht::TargetTrack& track, const TrackerState& state) const {
   if (track.detected_share > params_.in_view_share) track.last_detection_utime = state.now();
-  const bool out = track.visible_share < params_.in_view_share;
-  if (!out) track.in_view_utime = state.now();
+  const bool seen = track.visible_share >= params_.in_view_share;
+  if (seen) track.in_view_utime = state.now();
+  // Another sonar of the vehicle may have it in view.
+  const csht::SensorLooks& looks = state.looks();
+  const bool out = !seen && !(looks.several() && track.in_view_utime >= looks.oldest());
+  if (!seen && !out) track.visible_share = 1.0;
   if (out != track.out_of_view && track.confirmed_once)
     state.decide(track, out ? DecisionKind::coast : DecisionKind::resume, track.log_odds,
                  out ? "left the field of view" : "back in the field of view");

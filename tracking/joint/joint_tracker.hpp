@@ -34,7 +34,9 @@ class JointTracker : public Tracker {
   csht::Explained take(const core::PosedScan& scan) override;
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
-  std::optional<core::SensorEstimate> sensor_estimate() const override { return state_.learning.estimate(); }
+  std::optional<core::SensorEstimate> sensor_estimate() const override {
+    return state_.learning().estimate();
+  }
   bool learns_clutter() const override { return params_.clutter.map.enabled; }
   std::optional<core::ClutterGrid> clutter_grid() const override {
     return state_.clutter.grid(state_.likelihood);

@@ -7,6 +7,22 @@
 #include "csht/joint/evidence/scan_information.hpp"
 
 namespace lookout::tracking {
+namespace {
+
+bool in_view(const Eigen::Vector2d& p_earth, const csht::ScanTable& scan) {
+  const Eigen::Vector2d from = p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
+  const int beam = csht::beam_at(scan, p_earth.x(), p_earth.y());
+  return from.norm() <= scan.max_range && beam >= 0 && beam < scan.num_beams;
+}
+
+double share_in_view(const csht::TrajectoryCloud& cloud, const csht::ScanTable& scan) {
+  double share = 0.0;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+    if (in_view({cloud.north[i], cloud.east[i]}, scan)) share += cloud.weight[i];
+  return share;
+}
+
+}  // namespace
 
 ScanUpdate::ScanUpdate(const JointTrackerParams& params)
     : cloud_(params.cloud),
@@ -65,7 +81,9 @@ void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
   const double evidence = track.cloud.reweigh(track.log_ratio);
   track.log_odds += evidence;
   track.highest_log_odds = std::max(track.highest_log_odds, track.log_odds);
-  const bool tells = !track.out_of_view && !(shared && state.likelihood.contested(self, track.moments.mean));
+  const bool looked_at = !state.looks().several() || in_view(track.moments.mean.head<2>(), scans.newest());
+  const bool tells =
+      looked_at && !track.out_of_view && !(shared && state.likelihood.contested(self, track.moments.mean));
   track.recent.add(evidence, tells ? csht::nats_per_scan(scans.figures(), scans.newest()) : evidence);
   const double enough = cloud_.refresh_share * static_cast<double>(track.cloud.size());
   if (track.cloud.motion == csht::Motion::constant_acceleration || track.cloud.effective_size() < enough)
@@ -73,9 +91,20 @@ void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
   track.moments = track.cloud.moments();
 }
 
+// Whether a density drawn anew leads out of view a track that was in view. Nothing speaks against the
+// trajectories there: they are those of targets that were never heard, and there is no end to them.
+bool ScanUpdate::leads_away(const csht::TrajectoryCloud& drawn, const csht::TargetTrack& track,
+                            const TrackerState& state) const {
+  const csht::ScanTable& newest = state.scans().newest();
+  return share_in_view(drawn, newest) < life_.in_view_share &&
+         share_in_view(track.cloud, newest) >= life_.in_view_share;
+}
+
 // Draws the cloud anew under the likelihood of the scans that the track remembers: settled tracks by moving
 // their trajectories ([Gilks2001] Sec. 3), others by importance sampling ([Cappe2004] Sec. 2).
+// Out of view no scan says anything new.
 void ScanUpdate::refresh(csht::TargetTrack& track, TrackerState& state) {
+  if (track.out_of_view) return;
   csht::SamplingTask task;
   task.guess = track.cloud.moments();
   // A few trajectories say little of their spread: the less, the more of the spread before the scan is added.
@@ -95,6 +124,7 @@ void ScanUpdate::refresh(csht::TargetTrack& track, TrackerState& state) {
   const csht::SamplingResult result = state.sampler.sample(task, state.likelihood, state.random, state.fresh);
   const double effective = result.effective_share * static_cast<double>(task.samples);
   if (effective <= std::min(track.cloud.effective_size(), cloud_.enough_effective)) return;
+  if (leads_away(state.fresh, track, state)) return;
   std::swap(track.cloud, state.fresh);
   track.claims_are_fresh = false;
   if (tells_odds(track, task.ages, result, state)) estimate_odds(result.log_evidence, track);
@@ -113,7 +143,7 @@ void ScanUpdate::judge_motion(csht::TargetTrack& track, TrackerState& state) {
   const csht::AgeSpan memory = csht::memory_of(track, state.scans(), memory_);
   const auto judgement = manoeuvre_.judge({state.slot_of(track), track, memory}, state.likelihood,
                                           state.sampler, state.random, state.fresh);
-  if (judgement.verdict == MotionChange::Verdict::keep) return;
+  if (judgement.verdict == MotionChange::Verdict::keep || leads_away(state.fresh, track, state)) return;
   const csht::Motion before = track.cloud.motion;
   std::swap(track.cloud, state.fresh);
   track.moments = track.cloud.moments();

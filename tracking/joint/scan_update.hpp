@@ -26,6 +26,8 @@ class ScanUpdate {
   void claim_provisionally(TrackerState& state);
   void take_scan(csht::TargetTrack& track, TrackerState& state);
   void refresh(csht::TargetTrack& track, TrackerState& state);
+  bool leads_away(const csht::TrajectoryCloud& drawn, const csht::TargetTrack& track,
+                  const TrackerState& state) const;
   bool tells_odds(const csht::TargetTrack& track, const csht::AgeSpan& ages,
                   const csht::SamplingResult& result, const TrackerState& state) const;
   void judge_motion(csht::TargetTrack& track, TrackerState& state);

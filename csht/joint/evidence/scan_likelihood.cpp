@@ -46,8 +46,8 @@ ScanLikelihood::ScanLikelihood(const SensorFigures& figures, const SensorModelPa
   existence_.assign(static_cast<std::size_t>(max_owners), 0.0);
 }
 
-void ScanLikelihood::push(const core::PosedScan& scan, double undetected) {
-  scans_.push(scan);
+void ScanLikelihood::push(const core::PosedScan& scan, double undetected, int sensor) {
+  scans_.push(scan, sensor);
   if (scans_.pushed() == 1) first_utime_ = scans_.newest().utime;
   log_undetected_[ring_index(0)] = std::log(std::max(undetected, kLeastUndetected));
   claims_at(0).clear();

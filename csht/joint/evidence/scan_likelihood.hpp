@@ -42,7 +42,7 @@ class ScanLikelihood {
 
   /// Takes the next scan, later than all before it. @param undetected density of targets without a track that
   /// may be anywhere in view before this scan, over that of the prior, in [0, 1].
-  void push(const core::PosedScan& scan, double undetected = 1.0);
+  void push(const core::PosedScan& scan, double undetected = 1.0, int sensor = 0);
   const ScanHistory& scans() const { return scans_; }  ///< Those that are kept, with their figures.
   /// ln of the number of targets that appear at the scan of this age, over that of those in view already.
   double log_birth(int age) const {

@@ -41,7 +41,7 @@ TEST(SensorLearning, UnknownFalseAlarmsAreLearntFromFreeBeams) {
     scene.take(scan_of(k, nine_returns(k)));
     scene.learn();
   }
-  EXPECT_NEAR(scene.learning.estimate().false_alarm_probability, 0.1, 0.005);
+  EXPECT_NEAR(scene.learning().estimate().false_alarm_probability, 0.1, 0.005);
   // The likelihood uses what was learnt.
   EXPECT_NEAR(scene.scans().figures().false_alarm_probability, 0.1, 0.005);
 }
@@ -52,8 +52,8 @@ TEST(SensorLearning, FiguresThatFitAreLeftAsGiven) {
   JointScene scene({}, sonar, {});
   scene.take(scan_of(0, nine_returns()));
   scene.learn();
-  EXPECT_DOUBLE_EQ(scene.learning.figures().false_alarm_probability, 0.1);
-  EXPECT_DOUBLE_EQ(scene.learning.figures().miss_probability, 0.1);
+  EXPECT_DOUBLE_EQ(scene.learning().figures().false_alarm_probability, 0.1);
+  EXPECT_DOUBLE_EQ(scene.learning().figures().miss_probability, 0.1);
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace {
 constexpr std::array kNames{"csht-window",   "csht-ablation", "csht-tracking", "limits",      "recordings",
                             "nht-simulated", "nht-real",      "agfht-table2",  "agfht-sweep", "hpmht-video",
                             "hpmht-sonar",   "t2gt",          "two-uuv",       "manoeuvres",  "sea",
-                            "faults",        "image-sea"};
+                            "faults",        "image-sea",     "sensors"};
 
 TEST(ExperimentRegistry, HasEveryPublishedName) {
   for (const char* name : kNames) EXPECT_NE(make_experiment(name), nullptr) << name;

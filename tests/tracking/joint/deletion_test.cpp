@@ -55,6 +55,33 @@ TEST(Deletion, TooLittleEvidenceEndsATrackLaterOnceItWasConfirmed) {
   EXPECT_FALSE(confirmed.used);
 }
 
+// A sonar ahead and one to starboard, in turn: what the first has in view stays in view at the other's scans.
+TEST(Deletion, InViewOfAnotherSonarATrackIsInView) {
+  TrackerState state({}, clear_sonar(), 1);
+  const auto scan_of_sonar = [](int index, std::int32_t sensor_id) {
+    core::PosedScan posed = scan_of(index, {});
+    posed.scan.sensor_id = sensor_id;
+    if (sensor_id == 2) posed.T_earth_sonar.heading = core::radians(90.0);
+    return posed;
+  };
+  state.take(scan_of_sonar(0, 1));
+  csht::TargetTrack& track = add_track(state, kLine, 1.0);
+  for (int index = 1; index < 6; ++index) {
+    track.visible_share = index % 2 == 0 ? 1.0 : 0.0;
+    state.take(scan_of_sonar(index, index % 2 == 0 ? 1 : 2));
+    Deletion({}).end_lives(state);
+    ASSERT_TRUE(track.used);
+    EXPECT_FALSE(track.out_of_view);
+    EXPECT_EQ(track.visible_share, 1.0);
+  }
+  for (int index = 6; index < 8; ++index) {  // It has left the view of both.
+    track.visible_share = 0.0;
+    state.take(scan_of_sonar(index, index % 2 == 0 ? 1 : 2));
+    Deletion({}).end_lives(state);
+  }
+  EXPECT_FALSE(track.used);
+}
+
 TEST(Deletion, OutOfViewAConfirmedTrackCoastsAndIsKeptInCaseItReturns) {
   JointTrackerParams params;  // Scans every half second.
   params.life.coast_s = 10.0;

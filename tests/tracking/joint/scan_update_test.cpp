@@ -52,6 +52,27 @@ TEST(ScanUpdate, BehindASureTrackNothingIsLearnt) {
   EXPECT_NEAR(behind.log_odds, 1.0, 0.01);
 }
 
+// Out of view no scan says anything: eight trajectories of which one carries the weight, behind the sonar,
+// stay these eight, and are not drawn anew where nothing speaks against any.
+TEST(ScanUpdate, ATrackOutOfViewIsNotDrawnAnew) {
+  TrackerState state({}, clear_sonar(), 1);
+  push_target(state, 12);
+  csht::TargetTrack& track = add_track(state, {-60.0, 0.0, 1.0, 0.0}, 0.0);
+  track.cloud.resize(8);
+  for (std::size_t i = 0; i < 8; ++i) {
+    track.cloud.north[i] = -60.0 - static_cast<double>(i);
+    track.cloud.east[i] = track.cloud.east_velocity[i] = 0.0;
+    track.cloud.north_velocity[i] = 1.0;
+    track.cloud.weight[i] = i == 0 ? 0.93 : 0.01;
+  }
+  track.moments = track.cloud.moments();
+  track.first_scan = 0;
+  track.out_of_view = true;
+  ScanUpdate({}).update(state);
+  EXPECT_EQ(track.cloud.size(), 8U);
+  EXPECT_NEAR(track.moments.mean[0], -60.0 - 0.01 * 28, 1e-9);
+}
+
 // Without beams, two targets 60 m apart both teach of their motion: neither's claims concern the other.
 TEST(ScanUpdate, OfAPointSensorAClaimElsewhereLeavesATracksMotionToBeJudged) {
   core::SonarParams radar = clear_sonar();

@@ -1,5 +1,6 @@
 #include "tools/experiments/tracking/perfect_association.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 
 #include "core/field_of_view.hpp"
@@ -10,10 +11,29 @@
 namespace lookout::tools {
 namespace {
 
+constexpr double kGate = 16.0;  // Squared distance in sigmas beyond which no detection is the target's.
+
+/// Of a sensor without beams: the detection that fits the target best.
+const core::Detection* nearest_detection(const core::TargetTruth& target,
+                                         const std::vector<core::Detection>& detections,
+                                         const core::SonarParams& sonar) {
+  const core::Detection* nearest = nullptr;
+  double least = kGate;
+  for (const core::Detection& detection : detections) {
+    const Eigen::Vector2d offset = detection.p_earth - target.position;
+    const double square = offset.dot(tracking::position_noise(detection, sonar).llt().solve(offset));
+    if (square >= least) continue;
+    least = square;
+    nearest = &detection;
+  }
+  return nearest;
+}
+
 /// The target's own detection: the only one in its beam, where no nearer target owns the beam.
 const core::Detection* own_detection(const core::TargetTruth& target, const TimedScan& scan,
                                      const std::vector<core::Detection>& detections,
                                      const core::SonarParams& sonar) {
+  if (sonar.point_sensor()) return nearest_detection(target, detections, sonar);
   const auto seen = core::observe(sonar, scan.posed.T_earth_sonar, target.position);
   for (const auto& other : scan.truth.targets) {
     const auto point = core::observe(sonar, scan.posed.T_earth_sonar, other.position);
@@ -50,17 +70,18 @@ core::Track at(core::Track fit, std::int64_t utime) {
 PerfectAssociation::PerfectAssociation(const core::SonarParams& sonar) : sonar_(sonar) {}
 
 std::vector<core::Track> PerfectAssociation::update(const TimedScan& scan) {
+  const core::SonarParams sonar = core::with_geometry_of(scan.posed.scan, sonar_);
   std::vector<core::Detection> detections;
   csht::scan_to_detections(scan.posed, 0, detections);
   std::vector<core::Track> reported;
   for (const auto& target : scan.truth.targets) {
     if (!target.visible) continue;
-    const auto* detection = own_detection(target, scan, detections, sonar_);
+    const auto* detection = own_detection(target, scan, detections, sonar);
     auto fit = std::find_if(fits_.begin(), fits_.end(), [&](const auto& f) { return f.id == target.id; });
     if (fit != fits_.end()) *fit = at(*fit, scan.posed.scan.utime);
     if (fit != fits_.end() && detection)
-      tracking::update(*fit, detection->p_earth, tracking::position_noise(*detection, sonar_));
-    if (fit == fits_.end() && detection) fit = fits_.insert(fits_.end(), begin(target, *detection, sonar_));
+      tracking::update(*fit, detection->p_earth, tracking::position_noise(*detection, sonar));
+    if (fit == fits_.end() && detection) fit = fits_.insert(fits_.end(), begin(target, *detection, sonar));
     if (fit != fits_.end()) reported.push_back(*fit);
   }
   return reported;
