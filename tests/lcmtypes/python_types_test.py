@@ -43,6 +43,8 @@ def filled(kind):
             setattr(message, field, ((1, 2), (-3, 32767)))
         elif field == "density":
             setattr(message, field, ((0, 1), (20, 127)))
+        elif field == "text" and kind is lookout.decisions_t:
+            setattr(message, field, b"a\n")
         elif field in ("targets", "tracks", "elements"):
             part = {"targets": "target_truth_t", "tracks": "track_t", "elements": "motion_element_t"}[field]
             setattr(message, field, [filled(getattr(lookout, part)), filled(getattr(lookout, part))])
