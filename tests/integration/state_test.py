@@ -150,7 +150,8 @@ def main():
         print(f"gap {before} to {after} s: {sorted(lists[before])} -> {sorted(lists[after])}")
     print(f"{len(gaps)} gaps; identities kept {same}, changed {other}, not reported with the first scan {absent}")
     print("from start to first TRACKS, without time in line for a processor:", *(f"{wait:.2f}" for wait in waits), "s")
-    if len(gaps) < len(KILLS) or max(after - before for before, after in gaps) > BUSY:
+    # A restart that loses no scan leaves no gap.
+    if max((after - before for before, after in gaps), default=0.0) > BUSY:
         print(f"SKIPPED: the machine is too busy: a restart took more than {BUSY / SPEED} s, or ran into the next")
         sys.exit(77)
     assert said.count("goes on where") == len(KILLS), said
