@@ -121,7 +121,7 @@ void ClutterMap::reserve() {
 
 // Returns of one echo are one, at their mean bearing.
 ClutterMap::Place ClutterMap::place_of(const ScanTable& scan, const core::Detection& detection) {
-  const auto slot = static_cast<std::size_t>(detection.beam + 1);
+  const auto slot = static_cast<std::size_t>(detection.beam) + 1;
   const bool in_beam = detection.beam >= 0 && detection.beam < scan.num_beams;
   const double beam = scan.beams_from_middle(core::wrap_to_pi(detection.azimuth - scan.axis));
   if (in_beam && scan.clutter != ClutterModel::point && scan.echo_offset[slot] != 0.0F) {

@@ -14,7 +14,7 @@ constexpr double kClearlyMore = 1.3;  // Times the typical rate that is no chanc
 
 void TypicalRate::begin(int num_beams) {
   across_ = std::min(num_beams, kAcross);
-  blocks_.assign(static_cast<std::size_t>(across_ * kAlong), 0.0F);
+  blocks_.assign(static_cast<std::size_t>(across_) * static_cast<std::size_t>(kAlong), 0.0F);
 }
 
 void TypicalRate::take(double across, double along, float weight) {
