@@ -51,16 +51,21 @@ TEST(Csv, RefusesMissingColumnShortRowAndMissingFile) {
             std::string::npos);
 }
 
-TEST(Csv, ReadsWhatSpreadsheetsWrite) {
+// Of the columns a and b.
+void expect_one_and_minus_two_and_a_half(const std::string& text) {
   const tests::TemporaryDirectory folder;
+  const CsvTable table(folder.write("t.csv", text), kColumns);
+  ASSERT_EQ(table.num_rows(), 1u) << text;
+  EXPECT_EQ(table.integer(0, "a"), 1) << text;
+  EXPECT_DOUBLE_EQ(table.number(0, "b"), -2.5) << text;
+}
+
+TEST(Csv, ReadsWhatSpreadsheetsWrite) {
   for (const std::string text :
        {"\xEF\xBB\xBF"
         "a,b\n1,-2.5\n",
         "a;b\n1;-2,5", "a\tb\r1\t-2,5\r", " a , \"b\" \r\n \"1\" , -2.5 \r\n", "# a,b\n+1,-2.5\n"}) {
-    const CsvTable table(folder.write("t.csv", text), kColumns);
-    ASSERT_EQ(table.num_rows(), 1u) << text;
-    EXPECT_EQ(table.integer(0, "a"), 1) << text;
-    EXPECT_DOUBLE_EQ(table.number(0, "b"), -2.5) << text;
+    expect_one_and_minus_two_and_a_half(text);
   }
 }
 
@@ -109,7 +114,6 @@ TEST(Csv, AnUnclosedWriterLeavesNoFile) {
 
 // Forms of 1 and -2.5 in the columns a and b that people's programs write.
 TEST(Csv, ReadsRemarksHintsAndCapitals) {
-  const tests::TemporaryDirectory folder;
   for (const std::string text : {"# made by X, 2026\na,b\n1,-2.5\n", "a,b\n# a remark, in between\n1,-2.5\n",
                                  "sep=;\na;b\n1;-2,5\n", "sep=,\r\na,b\r\n1,-2.5\r\n", "A,B\n1,-2.5\n",
                                  "a|b\n1|-2.5\n", "a,b\n1,-2.5,\n", "a,b\n1,-2.5\n,\n , \n",
@@ -117,10 +121,7 @@ TEST(Csv, ReadsRemarksHintsAndCapitals) {
                                  "2.5\n",
                                  "a,\xC2\xA0"
                                  "b\n1,\xC2\xA0-2.5\n"}) {
-    const CsvTable table(folder.write("t.csv", text), kColumns);
-    ASSERT_EQ(table.num_rows(), 1u) << text;
-    EXPECT_EQ(table.integer(0, "a"), 1) << text;
-    EXPECT_DOUBLE_EQ(table.number(0, "b"), -2.5) << text;
+    expect_one_and_minus_two_and_a_half(text);
   }
 }
 

@@ -38,6 +38,15 @@ inline core::PosedScan cluttered(int k, const std::vector<Eigen::Vector2d>& targ
   return scan_of(k, seen);
 }
 
+/// What stands after sixty scans of one target at 1 m/s from 50 m on, P_M .3, among false alarms.
+inline std::vector<core::Track> tracks_through_clutter(Tracker& tracker) {
+  core::Random random(5);
+  std::span<const core::Track> tracks;
+  for (int k = 0; k < 60; ++k)
+    tracks = tracker.update(cluttered(k, {{50.0 + 0.5 * k, 0.0}}, 0.3, random), {});
+  return confirmed(tracks);
+}
+
 /// Two targets cross at an angle; whether each keeps its identity and its direction.
 inline bool crossing_targets_keep_their_identities(Tracker& tracker) {
   std::vector<core::Track> before, after;

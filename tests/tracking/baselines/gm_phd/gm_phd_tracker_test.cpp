@@ -11,11 +11,7 @@ namespace {
 
 TEST(GmPhdTracker, FollowsATargetThroughClutterAndMisses) {
   GmPhdTracker tracker({}, known_sonar(0.3, 0.1));
-  core::Random random(5);
-  std::span<const core::Track> tracks;
-  for (int k = 0; k < 60; ++k)
-    tracks = tracker.update(cluttered(k, {{50.0 + 0.5 * k, 0.0}}, 0.3, random), {});
-  const auto sure = confirmed(tracks);
+  const auto sure = tracks_through_clutter(tracker);
   ASSERT_EQ(sure.size(), 1U);
   EXPECT_GT(sure[0].existence, 0.3);  // it may just have been missed, and an intensity forgets
   EXPECT_NEAR(sure[0].state(0), 50.0 + 0.5 * 59, 1.0);
