@@ -59,12 +59,15 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   // Neighbours are first taken for one echo, and priced at its place: by their own places the trail of an
   // echo that spills would pass for dense clutter.
   background.assign(background.size(), 1.0F);
+  const bool spilt = sensor.spill.active();
   likelihood.group(0, sensor.spill, background);
   sensor.map.price(newest, rate, background);
   sensor.spill.learn(newest, likelihood.scans().figures().false_alarm_probability, background);
-  likelihood.group(0, sensor.spill, background);
-  sensor.map.price(newest, rate, background);
-  group(0, likelihood);
+  if (spilt || sensor.spill.active()) {
+    likelihood.group(0, sensor.spill, background);
+    sensor.map.price(newest, rate, background);
+    group(0, likelihood);
+  }
   likelihood.set_background(0, background_[0]);
 }
 
