@@ -102,9 +102,6 @@ class ClutterMap {
     Eigen::Vector2d p_earth;
     double beam = 0.0, range = 0.0;
   };
-  struct Tally {
-    double count = 0.0, expected = 0.0;
-  };
 
   static Place place_of(const ScanTable& scan, const core::Detection& detection);
   static Place place_in_earth(const ScanTable& scan, const Eigen::Vector2d& p_earth);
