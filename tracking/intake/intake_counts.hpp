@@ -24,6 +24,7 @@ struct IntakeCounts {
   std::int64_t silent_returns = 0;   ///< NaN, infinite or of range 0: silences, of accepted pings.
   std::int64_t dropped_returns = 0;  ///< Returns out of bounds, of accepted pings.
   std::int64_t repeated = 0;         ///< Pings with the content of the one before, to the bit.
+  std::int64_t off_pace = 0;         ///< Pings a hundred times too fast or slow: stamps in another unit?
   std::int64_t other_geometry = 0;   ///< Accepted pings whose geometry is not the configured one.
   std::int64_t states = 0;           ///< Vehicle states that came = accepted_states + bad_states + suspects.
   std::int64_t accepted_states = 0;  ///< Vehicle states that are believed.

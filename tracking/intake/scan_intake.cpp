@@ -88,13 +88,21 @@ PingIntake<Ping>::PingIntake(const core::SonarParams& configured, Sink sink, con
                },
                [this](const core::VehicleState& state, bool new_clock) {
                  ++ledger_.counts.accepted_states;
-                 if (std::abs(state.T_earth_body.heading) > kTwoTurns) ++ledger_.counts.wide_headings;
+                 watch_heading(state);
                  if (new_clock) sink_.report("vehicle states are on a new clock" + at_time(state.utime));
                  if (sink_.believe) sink_.believe(state, new_clock);
                }},
               max_pose_gap(configured), state_clock_of(params_, configured)),
       hold_(params_.max_wait) {
   ledger_.report = sink_.report;
+}
+
+template <class Ping>
+void PingIntake<Ping>::watch_heading(const core::VehicleState& state) {
+  const double heading = std::abs(state.T_earth_body.heading);
+  if (heading > kTwoTurns && worth_a_line(++ledger_.counts.wide_headings))
+    sink_.report("vehicle state" + at_time(state.utime) + " has a heading of " + core::shortest(heading) +
+                 " rad, beyond two turns: degrees?" + so_far(ledger_.counts.wide_headings));
 }
 
 template <class Ping>
@@ -113,6 +121,7 @@ void PingIntake<Ping>::add(Ping ping) {
   if (sensor->guards.is_foreign(ping.sequence))
     return reject(ping, "another sender speaks under its sensor_id, in numbers of its own",
                   ledger_.counts.foreign);
+  sensor->guards.watch_pace(ping);
   const std::int64_t utime = ping.utime;
   const Verdict verdict = sensor->clock.judge(utime);
   if (verdict == Verdict::in_order) refuse_held(*sensor);

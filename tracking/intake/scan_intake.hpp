@@ -93,6 +93,7 @@ class PingIntake {
     std::optional<std::int64_t> last_out = {};
   };
 
+  void watch_heading(const core::VehicleState& state);
   Sensor* sensor_of(const Ping& ping);
   void hold(Sensor& sensor, Ping ping);
   void release(Sensor& sensor);

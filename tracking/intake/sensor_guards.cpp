@@ -1,7 +1,9 @@
 #include "tracking/intake/sensor_guards.hpp"
 
+#include <algorithm>
 #include <utility>
 
+#include "core/files/time_text.hpp"
 #include "tracking/intake/intake_words.hpp"
 #include "tracking/intake/ping_content.hpp"
 
@@ -18,6 +20,18 @@ bool learns_fan(FanFinder& finder, const core::SonarScan& scan) {
 }
 bool learns_fan(FanFinder& /*finder*/, const core::SonarImage& /*image*/) {
   return false;
+}
+
+UnitGuard::Ranges ranges_of(const core::SonarScan& scan, const DroppedReturns& dropped) {
+  UnitGuard::Ranges ranges;
+  ranges.all = static_cast<int>(scan.returns.size()) + dropped.out_of_bounds;
+  ranges.outside = dropped.out_of_bounds;
+  for (const core::SonarReturn& one : scan.returns) ranges.farthest = std::max(ranges.farthest, one.range);
+  ranges.maximum = scan.max_range;
+  return ranges;
+}
+UnitGuard::Ranges ranges_of(const core::SonarImage& /*image*/, const DroppedReturns& /*dropped*/) {
+  return {};
 }
 
 }  // namespace
@@ -55,6 +69,17 @@ void SensorGuards::look_at(const Ping& ping) {
 }
 
 template <class Ping>
+void SensorGuards::watch_pace(const Ping& ping) {
+  const UnitGuard::Pace pace = units_.judge_pace(ping.utime);
+  if (pace == UnitGuard::Pace::plausible || !worth_a_line(++ledger_->counts.off_pace)) return;
+  const char* what =
+      pace == UnitGuard::Pace::too_fast ? " s, faster than a sonar can ping" : " s, far from its scan_period";
+  ledger_->report(described(ping) + " follows the one before after " + core::time_text(units_.step()) + what +
+                  ": stamps in another unit? utime counts microseconds, time_s seconds" +
+                  so_far(ledger_->counts.off_pace));
+}
+
+template <class Ping>
 bool SensorGuards::is_frozen(const Ping& ping) {
   const std::size_t content = hash_of(content_of(ping));
   const bool repeats = content != 0 && content == std::exchange(content_, content);
@@ -69,6 +94,8 @@ template <class Ping>
 DroppedReturns SensorGuards::drop_returns_of(Ping& ping) {
   give_fan(fan_, *configured_, ping);
   const DroppedReturns dropped = drop_returns(ping);
+  if (const std::string doubt = units_.doubt_ranges(ranges_of(ping, dropped)); !doubt.empty())
+    ledger_->report(described(ping) + ": " + doubt);
   if (learns_fan(fan_, ping))
     ledger_->report(described(ping) +
                     ": beams are even in sine, not in angle; they are taken at their bearings");
@@ -82,10 +109,13 @@ std::string_view SensorGuards::contradiction(const DroppedReturns& dropped, int 
 
 void SensorGuards::begin_new_clock() {
   gaps_.forget();
+  units_.begin_new_clock();
   content_ = 0;
   repeats_ = 0;
 }
 
+template void SensorGuards::watch_pace(const core::SonarScan& ping);
+template void SensorGuards::watch_pace(const core::SonarImage& ping);
 template void SensorGuards::look_at(const core::SonarScan& ping);
 template void SensorGuards::look_at(const core::SonarImage& ping);
 template bool SensorGuards::is_frozen(const core::SonarScan& ping);

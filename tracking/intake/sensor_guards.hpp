@@ -14,6 +14,7 @@
 #include "tracking/intake/outside_returns.hpp"
 #include "tracking/intake/ping_checks.hpp"
 #include "tracking/intake/sender_guard.hpp"
+#include "tracking/intake/unit_guard.hpp"
 
 namespace lookout::tracking {
 
@@ -31,7 +32,7 @@ class SensorGuards {
  public:
   /// @param configured geometry. Both must outlive it.
   SensorGuards(const core::SonarParams& configured, IntakeLedger& ledger)
-      : configured_(&configured), ledger_(&ledger) {}
+      : configured_(&configured), ledger_(&ledger), units_(configured.scan_period) {}
 
   /// Of the next number in the order of arrival: whether it is another sender's.
   bool is_foreign(std::int64_t sequence) { return sender_.is_foreign(sequence); }
@@ -39,6 +40,9 @@ class SensorGuards {
   void number_comes(std::int64_t sequence);
   void number_is_refused(std::int64_t sequence);  ///< That of a ping which will have no turn: it is not lost.
 
+  /// Tells of stamps in another unit, of the next ping in the order of arrival.
+  template <class Ping>
+  void watch_pace(const Ping& ping);
   /// Tells of a geometry that is not the configured one.
   template <class Ping>
   void look_at(const Ping& ping);
@@ -62,6 +66,7 @@ class SensorGuards {
   OutsideReturns outside_;
   std::optional<PingGeometry> geometry_;
   FanFinder fan_;
+  UnitGuard units_;
   std::size_t content_ = 0;  ///< Of the last ping, as a hash; 0 for too little to tell.
   int repeats_ = 0;          ///< Pings in a row with that content, beyond the first.
 };

@@ -40,6 +40,9 @@ TEST_F(IntakeGuardsTest, CountsHeadingsThatNoRadianHas) {
   intake_.add(core::VehicleState{0, {0.0, 0.0, 6.0}, {0.0, 0.0}});
   intake_.add(core::VehicleState{kSecond, {0.0, 0.0, 30.0}, {0.0, 0.0}});
   EXPECT_EQ(counts().wide_headings, 1);
+  ASSERT_EQ(reports_.size(), 1u);
+  EXPECT_EQ(reports_[0],
+            "vehicle state at 1 s has a heading of 30 rad, beyond two turns: degrees? (1 so far)");
   EXPECT_EQ(counts().accepted_states, 2);
 }
 

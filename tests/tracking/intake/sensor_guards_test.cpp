@@ -80,6 +80,27 @@ TEST_F(SensorGuardsTest, TellsOfAnotherGeometryOnceAndCountsAll) {
   EXPECT_EQ(lines_.size(), 1u);
 }
 
+TEST_F(SensorGuardsTest, TellsOfStampsInMilliseconds) {
+  core::SonarScan ping = scan(10.0);
+  for (int i = 0; i < 20; ++i) {
+    ping.utime = 500 * i;
+    guards_.watch_pace(ping);
+  }
+  EXPECT_EQ(ledger_.counts.off_pace, 10);
+  ASSERT_EQ(lines_.size(), 4u);  // 1, 2, 4 and 8 of them.
+  EXPECT_EQ(lines_[0],
+            "scan at 0.005 s follows the one before after 0.0005 s, faster than a sonar can ping: stamps in "
+            "another unit? utime counts microseconds, time_s seconds (1 so far)");
+}
+
+TEST_F(SensorGuardsTest, TellsOnceOfRangesInKilometres) {
+  for (int i = 0; i < 40; ++i) {
+    core::SonarScan near = scan(0.05);
+    guards_.drop_returns_of(near);
+  }
+  EXPECT_EQ(lines_.size(), 1u);
+}
+
 TEST_F(SensorGuardsTest, TakesReturnsOutAndTellsOnlySuddenOnesFromASensorsHabit) {
   for (int i = 0; i < 20; ++i) {
     core::SonarScan sound = scan(10.0 + i);
