@@ -118,7 +118,7 @@ void PingIntake<Ping>::add(Ping ping) {
   if (const auto reason = defect(ping); !reason.empty()) return reject(ping, reason, ledger_.counts.damaged);
   Sensor* sensor = sensor_of(ping);
   if (sensor == nullptr) return reject(ping, "more sensors than 64 on one vehicle", ledger_.counts.damaged);
-  if (sensor->guards.is_foreign(ping.sequence))
+  if (sensor->guards.is_foreign(ping.sequence, ping.utime))
     return reject(ping, "another sender speaks under its sensor_id, in numbers of its own",
                   ledger_.counts.foreign);
   sensor->guards.watch_pace(ping);

@@ -36,6 +36,14 @@ UnitGuard::Ranges ranges_of(const core::SonarImage& /*image*/, const DroppedRetu
 
 }  // namespace
 
+bool SensorGuards::is_foreign(std::int64_t sequence, std::int64_t utime) {
+  const Heard ping{sequence, utime};
+  const auto end = heard_.begin() + static_cast<std::ptrdiff_t>(std::min(num_heard_, kRemembered));
+  if (std::find(heard_.begin(), end, ping) != end) return false;
+  heard_[num_heard_++ % kRemembered] = ping;
+  return sender_.is_foreign(sequence);
+}
+
 void SensorGuards::number_comes(std::int64_t sequence) {
   using Step = core::SequenceGaps::Step;
   IntakeCounts& counts = ledger_->counts;

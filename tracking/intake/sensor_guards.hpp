@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -34,8 +35,9 @@ class SensorGuards {
   SensorGuards(const core::SonarParams& configured, IntakeLedger& ledger)
       : configured_(&configured), ledger_(&ledger), units_(configured.scan_period) {}
 
-  /// Of the next number in the order of arrival: whether it is another sender's.
-  bool is_foreign(std::int64_t sequence) { return sender_.is_foreign(sequence); }
+  /// Of the next ping in the order of arrival: whether its number is another sender's. A ping that comes
+  /// again, late, is its own sender's. @param utime of it [us].
+  bool is_foreign(std::int64_t sequence, std::int64_t utime);
   /// The number of a ping whose turn it is, in order of time; counts and tells loss and restarts.
   void number_comes(std::int64_t sequence);
   void number_is_refused(std::int64_t sequence);  ///< That of a ping which will have no turn: it is not lost.
@@ -59,10 +61,18 @@ class SensorGuards {
   void begin_new_clock();  ///< Numbers and content start again.
 
  private:
+  static constexpr std::size_t kRemembered = 256;  ///< Pings that a double is known by.
+  struct Heard {
+    std::int64_t sequence = 0, utime = 0;
+    bool operator==(const Heard&) const = default;
+  };
+
   const core::SonarParams* configured_;
   IntakeLedger* ledger_;
   core::SequenceGaps gaps_;
   SenderGuard sender_;
+  std::array<Heard, kRemembered> heard_{};  ///< A ring.
+  std::size_t num_heard_ = 0;
   OutsideReturns outside_;
   std::optional<PingGeometry> geometry_;
   FanFinder fan_;

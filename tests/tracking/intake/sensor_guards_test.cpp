@@ -45,6 +45,25 @@ TEST_F(SensorGuardsTest, ANumberThatIsRefusedIsNotLost) {
   EXPECT_EQ(ledger_.counts.lost, 0);
 }
 
+// Every third ping comes a second time, twelve pings late: that is a link of two ways, and no second sender.
+TEST_F(SensorGuardsTest, DoublesThatComeLateAreNoOtherSenders) {
+  int foreign = 0;
+  for (int i = 0; i < 100; ++i) {
+    foreign += guards_.is_foreign(i, 500'000L * i) ? 1 : 0;
+    if (i >= 12 && i % 3 == 0) foreign += guards_.is_foreign(i - 12, 500'000L * (i - 12)) ? 1 : 0;
+  }
+  EXPECT_EQ(foreign, 0);
+}
+
+TEST_F(SensorGuardsTest, ASecondSenderWithNumbersOfItsOwnIsForeign) {
+  int foreign = 0;
+  for (int i = 0; i < 20; ++i) {
+    foreign += guards_.is_foreign(1000 + i, 500'000L * i) ? 1 : 0;
+    foreign += guards_.is_foreign(i, 500'000L * i + 1000) ? 1 : 0;
+  }
+  EXPECT_EQ(foreign, 17);  // All but the three that show it.
+}
+
 TEST_F(SensorGuardsTest, TwoSensorsCountIntoOneLedger) {
   SensorGuards other(configured_, ledger_);
   for (SensorGuards* guards : {&guards_, &other})
