@@ -55,9 +55,10 @@ void LogFrames::index(const std::string& path, const OnDecisions& on_decisions) 
   std::uint32_t order = 0;
   while (const auto message = log.next()) {
     ++order;
+    const std::int64_t bad = listener.inbox().bad_messages();
     listener.take(message->channel, message->bytes, Heard::Clock::time_point());
     const auto found = places_.find(message->channel);
-    if (found == places_.end()) continue;
+    if (found == places_.end() || listener.inbox().bad_messages() > bad) continue;
     found->second.push_back({message->offset, static_cast<std::uint32_t>(message->bytes.size()), order});
   }
   damages_ = log.damages();

@@ -74,11 +74,13 @@ TEST(LogFrames, HandsDecisionsOnAndCountsWhatIsDamagedOnAnyChannel) {
     tests::log_message(file, "DECISIONS", lcmtypes::to_wire(tests::example_state()));
     tests::log_message(file, "SONAR_SCAN", decisions);
     tests::log_message(file, "OSPA", decisions);
+    tests::log_message(file, "TRACKS", decisions);  // No frame of its own.
   }
   std::string told;
   const LogFrames frames(path, "", [&](const lcmtypes::DecisionReport& report) { told += report.text; });
   EXPECT_EQ(told, "1 s track 3: confirmed\n");
-  ASSERT_EQ(frames.refusals().size(), 3u);
+  EXPECT_EQ(frames.size(), 3u);
+  ASSERT_EQ(frames.refusals().size(), 4u);
   for (const auto& refusal : frames.refusals()) {
     EXPECT_EQ(refusal.count, 1) << refusal.channel;
     EXPECT_EQ(refusal.reason, "not one whole message of its type");
