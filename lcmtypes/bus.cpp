@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
@@ -16,20 +15,11 @@
 
 #include "core/input_error.hpp"
 #include "lcmtypes/channels.hpp"
+#include "lcmtypes/lcm_url.hpp"
 #include "lcmtypes/receive_buffer.hpp"
 
 namespace lookout::lcmtypes {
 namespace {
-
-constexpr std::array<std::string_view, 5> kTransports{"udpm://", "tcpq://", "memq://", "file://",
-                                                      "mpudpm://"};
-
-void require_known_transport(const std::string& url) {
-  const auto begins = [&url](std::string_view transport) { return url.starts_with(transport); };
-  if (url.empty() || std::any_of(kTransports.begin(), kTransports.end(), begins)) return;
-  throw core::InputError("--lcm-url: got `" + url +
-                         "`, expected udpm://ADDRESS:PORT?ttl=N, tcpq://HOST:PORT, memq:// or file://PATH");
-}
 
 constexpr std::string_view kMulticast = "udpm://";
 /// LCM's own, where nothing is said. ttl=0 keeps messages on this computer.
@@ -92,8 +82,9 @@ std::string Bus::resolved(const std::string& url) {
   return environment != nullptr && *environment != '\0' ? environment : kDefaultUrl;
 }
 
-Bus::Bus(const std::string& url) : url_(with_receive_buffer(resolved(url), largest_receive_buffer())) {
-  require_known_transport(url_);
+Bus::Bus(const std::string& url) : url_(resolved(url)) {
+  check_url(url_);
+  url_ = with_receive_buffer(url_, largest_receive_buffer());
   if (is_multicast() && !has_route(url_)) throw BusError(cannot_open(url_));
   lcm_ = std::make_unique<lcm::LCM>(url_);
   if (!lcm_->good()) throw BusError(cannot_open(url_));

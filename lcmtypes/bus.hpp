@@ -45,6 +45,13 @@ class Bus {
     inbox_.on<Wire>(channel, std::move(handler));
     listen(channel, std::is_same_v<Wire, sonar_image_t> ? kImageQueueCapacity : kQueueCapacity);
   }
+  /// Calls `handler(value)` for each message that `read(bytes)` makes a value of; the others are counted as
+  /// undecodable. @throws BusError where LCM refuses.
+  template <class Read, class Handler>
+  void subscribe_read(const std::string& channel, Read read, Handler handler) {
+    inbox_.on_read(channel, std::move(read), std::move(handler));
+    listen(channel, kQueueCapacity);
+  }
   /// Calls `handler` with the bytes of each message as they came, unchecked; valid until it returns.
   /// @throws BusError where LCM refuses.
   void subscribe_bytes(const std::string& channel,

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 
@@ -13,13 +14,20 @@
 namespace lookout::lcmtypes {
 namespace {
 
+/// The same direction within a turn, as a recording has it; beyond PingLimits it stays, to be refused.
+double within_a_turn(double heading) {
+  constexpr double kTurn = 2.0 * std::numbers::pi, kMostAngle = 1e3;
+  const bool is_wide = std::abs(heading) > kTurn && std::abs(heading) <= kMostAngle;
+  return is_wide ? std::remainder(heading, kTurn) : heading;
+}
+
 /// What both kinds of ping have in common.
 template <class Wire, class Core>
 void copy_header_to_core(const Wire& wire, Core& ping) {
   ping.utime = wire.utime;
   ping.sequence = wire.sequence;
   ping.sensor_id = wire.sensor_id;
-  ping.T_body_sonar = {wire.mount_x, wire.mount_y, wire.mount_heading};
+  ping.T_body_sonar = {wire.mount_x, wire.mount_y, within_a_turn(wire.mount_heading)};
 }
 
 template <class Core, class Wire>

@@ -10,8 +10,25 @@ constexpr std::size_t kMaxSources = 64;
 
 }  // namespace
 
+std::string text_of(const Refusal& refusal) {
+  return std::string(refusal.channel)
+      .append(": ")
+      .append(std::to_string(refusal.count))
+      .append(" messages refused: ")
+      .append(refusal.reason);
+}
+
 void Inbox::Entry::count_gap(std::int32_t source, std::int64_t sequence) {
   if (gaps.size() < kMaxSources || gaps.contains(source)) gaps[source].add(sequence);
+}
+
+void Inbox::Entry::note_handler_error() noexcept {
+  ++counts.handler_errors;
+  try {
+    ++refusals["its handler failed"];
+  } catch (...) {
+    // Out of memory: the count still tells.
+  }
 }
 
 void Inbox::add(const std::string& channel,
@@ -43,10 +60,10 @@ void Inbox::take(const std::string& channel, const void* data, std::size_t size)
     ++entry.refusals[refusal];
     note(channel, refusal);
   } catch (const std::exception& error) {
-    ++entry.counts.handler_errors;
+    entry.note_handler_error();
     note(channel, error.what());
   } catch (...) {
-    ++entry.counts.handler_errors;
+    entry.note_handler_error();
     note(channel, "unknown exception");
   }
 }
@@ -77,7 +94,8 @@ ChannelCounts Inbox::counts(const std::string& channel) const {
 
 std::int64_t Inbox::bad_messages() const {
   std::int64_t sum = 0;
-  for (const auto& [channel, entry] : entries_) sum += entry.counts.undecodable + entry.counts.refused;
+  for (const auto& [channel, entry] : entries_)
+    sum += entry.counts.undecodable + entry.counts.refused + entry.counts.handler_errors;
   return sum;
 }
 

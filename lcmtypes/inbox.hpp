@@ -36,6 +36,9 @@ struct Refusal {
   std::int64_t count = 0;   ///< Of messages.
 };
 
+/// "SONAR_SCAN: 3 messages refused: negative range".
+std::string text_of(const Refusal& refusal);
+
 /// Who numbered a message: several sensors and nodes share a channel. 0 where the type does not say.
 template <class Wire>
 std::int32_t source_of(const Wire& wire) {
@@ -77,6 +80,18 @@ class Inbox {
     });
   }
 
+  /// Calls `handler(value)` for each message that `read(bytes)` makes a value of; the others are undecodable.
+  template <class Read, class Handler>
+  void on_read(const std::string& channel, Read read, Handler handler) {
+    add(channel, [read = std::move(read), handler = std::move(handler)](const void* data, std::size_t size,
+                                                                        Entry& entry) {
+      auto value = read(std::span(static_cast<const std::uint8_t*>(data), size));
+      if (!value) return ++entry.counts.undecodable, std::string_view("not one whole message of its type");
+      handler(*std::move(value));
+      return std::string_view();
+    });
+  }
+
   /// Calls `handler(bytes)` with each message of `channel` as it came, for what is not to be decoded.
   void on_bytes(const std::string& channel, std::function<void(std::span<const std::uint8_t>)> handler);
 
@@ -87,8 +102,9 @@ class Inbox {
   void take(const std::string& channel, const void* data, std::size_t size) noexcept;
 
   ChannelCounts counts(const std::string& channel) const;  ///< All 0 for a channel without a handler.
-  std::int64_t bad_messages() const;                       ///< Undecodable and refused, over all channels.
-  std::vector<Refusal> refusals() const;                   ///< What those were, a channel and reason each.
+  /// Undecodable, refused, and those whose handler threw, over all channels.
+  std::int64_t bad_messages() const;
+  std::vector<Refusal> refusals() const;  ///< What those were, a channel and reason each.
   const std::string& last_error() const { return last_error_; }  ///< Channel and reason; empty for none.
 
  private:
@@ -100,6 +116,7 @@ class Inbox {
     std::map<std::string_view, std::int64_t> refusals = {};  ///< By reason, which is a literal.
 
     void count_gap(std::int32_t source, std::int64_t sequence);
+    void note_handler_error() noexcept;
   };
   void add(const std::string& channel,
            std::function<std::string_view(const void*, std::size_t, Entry&)> take);

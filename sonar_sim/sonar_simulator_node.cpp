@@ -52,9 +52,8 @@ SonarSimulatorNode::SonarSimulatorNode(lcmtypes::Bus& bus, const Scene& scene,
     status_channels.insert(channels.status());
   }
   for (const auto& channel : status_channels) {
-    bus_.subscribe_bytes(channel, [this](std::span<const std::uint8_t> bytes) {
-      const auto node = lcmtypes::status_node_id(bytes);
-      if (node && *node > 0 && nodes_heard_.size() < kMaxNodes) nodes_heard_.insert(*node);
+    bus_.subscribe_read(channel, &lcmtypes::status_node_id, [this](std::int32_t node) {
+      if (node > 0 && nodes_heard_.size() < kMaxNodes) nodes_heard_.insert(node);
     });
   }
 }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "tracking/intake/intake_words.hpp"
 #include "tracking/intake/ping_checks.hpp"
 
 namespace lookout::tracking {
@@ -26,9 +27,13 @@ StreamDetector::StreamDetector(const DetectionParams& params, Report report)
 }
 
 const core::SonarScan* StreamDetector::detect(const core::SonarImage& image) {
-  if (const std::string_view reason = defect(image); !reason.empty()) {
-    ++damaged_;
-    report_("image " + std::to_string(image.sequence) + " rejected: " + std::string(reason));
+  std::string_view reason = defect(image);
+  if (reason.empty() && detectors_.size() >= kMostSonars && !detectors_.contains(image.sensor_id))
+    reason = "more sonars than 64 on one vehicle";
+  if (!reason.empty()) {
+    if (worth_a_line(++damaged_))
+      report_("image " + std::to_string(image.sequence) + " rejected: " + std::string(reason) +
+              so_far(damaged_));
     return nullptr;
   }
   const auto found = detectors_.try_emplace(image.sensor_id, params_).first;

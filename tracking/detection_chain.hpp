@@ -28,6 +28,8 @@ class StreamDetector {
  public:
   using Report = std::function<void(const std::string&)>;  ///< One line for a person.
 
+  static constexpr std::size_t kMostSonars = 64;  ///< Of one vehicle; the images of more are rejected.
+
   /// @throws std::invalid_argument naming the parameter out of range.
   StreamDetector(const DetectionParams& params, Report report);
 
@@ -36,7 +38,7 @@ class StreamDetector {
 
   /// Of the sonar of the last image. Asks that there was one.
   const ImageDetector& detector() const { return *latest_; }
-  std::int64_t damaged() const { return damaged_; }  ///< Images with a defect.
+  std::int64_t damaged() const { return damaged_; }  ///< Images that were rejected.
   DetectionCounts counts() const;                    ///< Of all sonars.
 
  private:

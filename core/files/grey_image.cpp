@@ -92,9 +92,16 @@ class PgmReader {
     return static_cast<int>(value);
   }
 
+  /// One white space ends the header. Of a header in lines of CR LF that is two bytes, which only the size
+  /// of the file tells from a first pixel of 10.
+  void skip_end_of_header(std::size_t bytes_of_pixels) {
+    const bool is_crlf = bytes_.compare(at_, 2, "\r\n") == 0 && bytes_.size() - at_ == bytes_of_pixels + 2;
+    at_ += is_crlf ? 2 : 1;
+  }
+
   void read_binary(std::size_t size, GreyImage& image) {
-    ++at_;  // one white space ends the header
     const std::size_t width = largest_ > 255 ? 2 : 1;
+    skip_end_of_header(size * width);
     const std::size_t held = bytes_.size() > at_ ? (bytes_.size() - at_) / width : 0;
     if (held < size) fail_short(held, size);
     image.pixels.resize(size);

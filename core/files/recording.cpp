@@ -116,7 +116,7 @@ Clocked<VehicleState> read_vehicle(const std::string& path) {
   Clocked<VehicleState> states;
   for (std::size_t row = 0; row < table.num_rows(); ++row) {
     if (!states.groups.empty() && is_of_last(table, row, states.groups.back().utime, states.clocks.back()))
-      table.fail(row, "time_s", "is not later than the row before");
+      table.fail(row, "time_s", "is not later than the row before; were the times cut short?");
     states.begin(table, row).T_earth_body = {table.number(row, "north_m"), table.number(row, "east_m"),
                                              heading.unit * table.number(row, heading.name)};
   }

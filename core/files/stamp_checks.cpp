@@ -16,8 +16,8 @@ namespace {
 constexpr float kCoarseFloat = 16.0F;
 /// A stamp stated to no better than this [s], with an exponent, has lost its digits.
 constexpr double kCoarseDigits = 1.0;
-/// Scans so many periods apart, all of them, have stamps that were cut.
-constexpr double kPeriodsPerStamp = 1.9;
+/// Where all times are whole multiples of so many periods, stamps were cut, or the period is another.
+constexpr double kPeriodsPerStamp = 1.1;
 constexpr std::size_t kFewestScans = 3;
 /// Stamps that were cut are whole multiples of this at least [us]; a driver's own clock is finer.
 constexpr std::int64_t kCoarseUnit = 500;

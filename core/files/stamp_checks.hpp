@@ -67,7 +67,7 @@ class ReturnChecks {
   Count silences_, beyond_a_turn_;
 };
 
-/// A line where every scan's time is a whole multiple of at least twice the period that the recording states;
+/// A line where every scan's time is a whole multiple of more than the period that the recording states;
 /// nothing where it states none.
 std::optional<std::string> coarse_stamps(const std::vector<SonarScan>& scans,
                                          std::optional<double> stated_period);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "csht/joint/evidence/was_in_view.hpp"
+
 namespace lookout::csht {
 namespace {
 
@@ -84,7 +86,8 @@ bool TargetSearch::draw(const BirthSeed& seed, double& log_odds, JointScene& sce
   task.samples = cloud_.trajectories;
   const SamplingResult result = scene.sampler.sample(task, scene.likelihood, scene.random, scene.fresh);
   log_odds = result.log_evidence + log_density_;
-  return log_odds >= hypotheses_.tentative_log_odds && result.effective_share >= cloud_.trusted_share;
+  return log_odds >= hypotheses_.tentative_log_odds && result.effective_share >= cloud_.trusted_share &&
+         was_in_view(scene.fresh.moments(), scene.scans(), seed.window);
 }
 
 void TargetSearch::begin(const BirthSeed& seed, JointScene& scene) {

@@ -1,7 +1,6 @@
 #include "csht/likelihood/clutter_map.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -58,6 +57,19 @@ std::int64_t microseconds(double seconds) {
   return static_cast<std::int64_t>(seconds * kMicroseconds);
 }
 
+// Beside the looks that judge a scan there is room for those that are too near to it in time.
+LookMemory::Limits limits_of(const ClutterMapParams& params, const core::SonarParams& sonar,
+                             std::int64_t leave_out_us) {
+  LookMemory::Limits limits;
+  limits.range_reach = params.range_reach * sonar.range_sigma;
+  limits.spacing_us = microseconds(params.memory_time * unit_of_time(sonar) / params.memory_looks);
+  limits.most_returns = static_cast<std::size_t>(params.most_returns);
+  const std::int64_t waiting = std::min<std::int64_t>(
+      params.memory_looks, leave_out_us / std::max<std::int64_t>(1, limits.spacing_us));
+  if (params.enabled) limits.most_looks = static_cast<std::size_t>(params.memory_looks + waiting);
+  return limits;
+}
+
 }  // namespace
 
 void validate(const ClutterMapParams& p) {
@@ -94,125 +106,45 @@ ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& 
     : params_(params),
       range_reach_(params.range_reach * sonar.range_sigma),
       leave_out_s_(sensor_seconds(params.leave_out_time, params.leave_out_scans, sonar)),
-      spacing_us_(microseconds(params.memory_time * unit_of_time(sonar) / params.memory_looks)),
       leave_out_us_(microseconds(leave_out_s_)),
       spot_us_(microseconds(params.spot_times * leave_out_s_)),
+      memory_(limits_of(params, sonar, leave_out_us_)),
       sonar_dense_(params.sonar_learning, params.sonar_prior.share),
       earth_dense_(params.earth_learning, params.standing_share) {
-  if (params.enabled) reserve();
-}
-
-// All buffers at once: afterwards a scan allocates nothing.
-void ClutterMap::reserve() {
-  const std::int64_t waiting =
-      std::min<std::int64_t>(params_.memory_looks, leave_out_us_ / std::max<std::int64_t>(1, spacing_us_));
-  const auto most_looks = static_cast<std::size_t>(params_.memory_looks + waiting);
-  const auto most_returns = static_cast<std::size_t>(params_.most_returns);
-  looks_.reserve(most_looks);
-  counted_.reserve(most_looks);
-  spare_.resize(most_looks);
-  for (Look& look : spare_) {
-    look.earth.reserve(most_returns);
-    look.sonar.reserve(most_returns);
-  }
-  for (PointBins* bins : {&earth_, &sonar_}) bins->reserve(most_looks * most_returns);
-  points_.reserve(most_looks * most_returns);
-}
-
-// Returns of one echo are one, at their mean bearing.
-ClutterMap::Place ClutterMap::place_of(const ScanTable& scan, const core::Detection& detection) {
-  const auto slot = static_cast<std::size_t>(detection.beam) + 1;
-  const bool in_beam = detection.beam >= 0 && detection.beam < scan.num_beams;
-  const double beam = scan.beams_from_middle(core::wrap_to_pi(detection.azimuth - scan.axis));
-  if (in_beam && scan.clutter != ClutterModel::point && scan.echo_offset[slot] != 0.0F) {
-    const double middle = beam + static_cast<double>(scan.echo_offset[slot]);
-    const double azimuth = scan.axis + scan.bearing_of_beams(middle);
-    return {detection.p_earth_sonar + core::from_polar(detection.range, azimuth), middle, detection.range};
-  }
-  return {detection.p_earth, beam, detection.range};
+  counted_.reserve(memory_.most_looks());
 }
 
 void ClutterMap::add(const ScanTable& scan) {
-  if (!looks_.empty() && scan.utime - looks_.back().utime < spacing_us_) return;
-  Look& look = next_look();
-  look.utime = scan.utime;
-  look.T_earth_sonar = scan.T_earth_sonar;
-  look.axis = scan.axis;
-  look.half_sector = static_cast<double>(scan.half_sector);
-  look.max_range = scan.max_range;
-  const auto most = static_cast<std::size_t>(params_.most_returns);
-  const std::size_t stride = scan.detections.size() / (most + 1) + 1;
-  for (std::size_t j = 0; j < scan.detections.size(); j += stride)
-    take_return(scan, scan.detections[j], static_cast<float>(stride), look);
-  sort_returns();
-  find_typical_rate(scan);
+  if (memory_.add(scan)) find_typical_rate(scan);
 }
 
 void ClutterMap::find_typical_rate(const ScanTable& scan) {
   typical_.begin(scan.num_beams);
-  for (const Look& look : looks_)
-    for (const BinnedPoint& p : look.sonar)
+  for (const Look& look : memory_.looks())
+    for (const BinnedPoint& p : look.in_sonar)
       typical_.take(static_cast<double>(p.x) / scan.num_beams + 0.5,
                     static_cast<double>(p.y) * range_reach_ / scan.max_range, p.weight);
-  typical_.end(static_cast<double>(looks_.size()));
-}
-
-// The look that takes the newest scan: a new one or, where there are enough, the oldest, with its buffers.
-ClutterMap::Look& ClutterMap::next_look() {
-  const int number = looks_.empty() ? 0 : looks_.back().number + 1;
-  if (spare_.empty()) {
-    std::rotate(looks_.begin(), looks_.begin() + 1, looks_.end());
-  } else {
-    looks_.push_back(std::move(spare_.back()));
-    spare_.pop_back();
-  }
-  Look& look = looks_.back();
-  look.number = number;
-  look.earth.clear();
-  look.sonar.clear();
-  return look;
-}
-
-void ClutterMap::take_return(const ScanTable& scan, const core::Detection& detection, float weight,
-                             Look& look) {
-  const Place place = place_of(scan, detection);
-  const bool in_beam =
-      scan.clutter != ClutterModel::point && detection.beam >= 0 && detection.beam < scan.num_beams;
-  const float own = in_beam ? weight * scan.share[static_cast<std::size_t>(detection.beam) + 1] : weight;
-  look.earth.push_back(
-      {static_cast<float>(place.p_earth.x()), static_cast<float>(place.p_earth.y()), own, look.number});
-  look.sonar.push_back(
-      {static_cast<float>(place.beam), static_cast<float>(place.range / range_reach_), own, look.number});
+  typical_.end(static_cast<double>(memory_.looks().size()));
 }
 
 void ClutterMap::discount(const ScanTable& scan, std::span<const double> own, double rate) {
   rate = typical_.at_most(rate);
-  const auto look =
-      std::find_if(looks_.begin(), looks_.end(), [&](const Look& l) { return l.utime == scan.utime; });
-  if (look == looks_.end() || look->earth.size() != own.size()) return;
+  Look* look = memory_.look_at(scan);
+  if (look == nullptr || look->earth.size() != own.size()) return;
   mark_looks(scan);
   for (std::size_t j = 0; j < own.size(); ++j) {
     if (own[j] <= 0.0) continue;
-    if (clear_around(scan, place_of(scan, scan.detections[j]), rate) < kClear) continue;
+    if (clear_around(scan, seen_place(scan, scan.detections[j]), rate) < kClear) continue;
     const auto rest = static_cast<float>(1.0 - std::min(own[j], 1.0));
     // What a track took once stays taken, even if that track ends.
-    look->earth[j].weight = look->sonar[j].weight = std::min(look->earth[j].weight, rest);
+    look->earth[j].weight = look->in_sonar[j].weight = std::min(look->earth[j].weight, rest);
   }
-}
-
-void ClutterMap::sort_returns() {
-  points_.clear();
-  for (const Look& look : looks_) points_.insert(points_.end(), look.earth.begin(), look.earth.end());
-  earth_.build(points_, range_reach_);
-  points_.clear();
-  for (const Look& look : looks_) points_.insert(points_.end(), look.sonar.begin(), look.sonar.end());
-  sonar_.build(points_, 1.0);
 }
 
 void ClutterMap::mark_looks(const ScanTable& scan) const {
   counted_.clear();
   num_counted_ = num_others_ = 0.0;
-  for (const Look& look : looks_) {
+  for (const Look& look : memory_.looks()) {
     counted_.push_back(std::abs(look.utime - scan.utime) > leave_out_us_ ? 1 : 0);
     num_counted_ += counted_.back();
     num_others_ += look.utime != scan.utime ? 1.0 : 0.0;
@@ -225,53 +157,38 @@ void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& b
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     const std::optional<std::size_t> slot = slot_of(scan, j);
     if (!slot) continue;
-    const Place place = place_of(scan, scan.detections[j]);
-    background[*slot] = static_cast<float>(looks_.empty() ? 1.0 : background_at(scan, place, rate));
+    const SeenPlace place = seen_place(scan, scan.detections[j]);
+    background[*slot] = static_cast<float>(memory_.looks().empty() ? 1.0 : background_at(scan, place, rate));
   }
   if (!scan.whole_circle || scan.clutter == ClutterModel::point) return;
   background[0] = background[static_cast<std::size_t>(scan.num_beams)];
   background[static_cast<std::size_t>(scan.num_beams) + 1] = background[1];
 }
 
-ClutterMap::Place ClutterMap::place_in_earth(const ScanTable& scan, const Eigen::Vector2d& p_earth) {
-  const Eigen::Vector2d from = p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
-  return {p_earth, scan.beams_from_middle(core::wrap_to_pi(std::atan2(from.y(), from.x()) - scan.axis)),
-          from.norm()};
-}
-
-ClutterMap::Place ClutterMap::place_in_sonar(const ScanTable& scan, const BinnedPoint& point) const {
-  const double beam = static_cast<double>(point.x), range = static_cast<double>(point.y) * range_reach_;
-  const double azimuth = scan.axis + scan.bearing_of_beams(beam);
-  return {{scan.T_earth_sonar.north + range * std::cos(azimuth),
-           scan.T_earth_sonar.east + range * std::sin(azimuth)},
-          beam,
-          range};
-}
-
 std::vector<ClutterMap::PricedPlace> ClutterMap::places(const ScanTable& scan, double rate,
                                                         std::size_t most) const {
   std::size_t returns = 0, k = 0;
-  for (const Look& look : looks_) returns += look.earth.size();
+  for (const Look& look : memory_.looks()) returns += look.earth.size();
   const std::size_t stride = returns / (most + 1) + 1;
   std::vector<PricedPlace> places;
   ScanTable then = scan;  // The same place of the sonar, at the time of each look: it must not judge itself.
-  const auto take = [&](const Place& place) {
+  const auto take = [&](const SeenPlace& place) {
     if (place.range < scan.max_range && 2.0 * std::abs(place.beam) < scan.num_beams)
       places.push_back({place.beam, place.range, background_at(then, place, rate)});
   };
-  for (const Look& look : looks_) {
+  for (const Look& look : memory_.looks()) {
     then.utime = look.utime;
     mark_looks(then);
     for (std::size_t j = 0; j < look.earth.size(); ++j) {
       if (k++ % stride != 0) continue;
-      take(place_in_sonar(scan, look.sonar[j]));
-      take(place_in_earth(scan, {look.earth[j].x, look.earth[j].y}));
+      take(memory_.place_around(scan, look.in_sonar[j]));
+      take(seen_place(scan, Eigen::Vector2d{look.earth[j].x, look.earth[j].y}));
     }
   }
   return places;
 }
 
-double ClutterMap::background_at(const ScanTable& scan, const Place& place, double rate) const {
+double ClutterMap::background_at(const ScanTable& scan, const SeenPlace& place, double rate) const {
   const double base = typical_.at_most(rate);
   const double density = 1.0 + std::max({spot_excess(scan, place, base, spot_us_).density(),
                                          frame_excess(scan, place, base, true).density(),
@@ -281,11 +198,13 @@ double ClutterMap::background_at(const ScanTable& scan, const Place& place, doub
 
 // What lies around a place in all scans but its own: it needs no past, and a target that moves along with the
 // sonar does not price its own returns.
-Excess ClutterMap::frame_excess(const ScanTable& scan, const Place& place, double rate, bool corners) const {
+Excess ClutterMap::frame_excess(const ScanTable& scan, const SeenPlace& place, double rate,
+                                bool corners) const {
   FrameCounts frame;
   const double y = place.range / range_reach_;
-  sonar_.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
-    const std::int64_t utime = utime_of(p);
+  const PointBins& bins = memory_.in_sonar();
+  bins.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
+    const std::int64_t utime = memory_.utime_of(p);
     if (utime != scan.utime)
       frame.take(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y,
                  static_cast<double>(p.weight), utime < scan.utime);
@@ -306,14 +225,15 @@ Excess ClutterMap::frame_excess(const ScanTable& scan, const Place& place, doubl
 }
 
 // What lies at a place, but long before or after: a target that moves along with the sonar is found by then.
-Excess ClutterMap::spot_excess(const ScanTable& scan, const Place& place, double rate,
+Excess ClutterMap::spot_excess(const ScanTable& scan, const SeenPlace& place, double rate,
                                std::int64_t leave_out_us) const {
   const double y = place.range / range_reach_, reach = params_.sonar_beams;
   double count = 0.0, looks = 0.0;
-  for (const Look& look : looks_) looks += std::abs(look.utime - scan.utime) > leave_out_us ? 1.0 : 0.0;
+  for (const Look& look : memory_.looks())
+    looks += std::abs(look.utime - scan.utime) > leave_out_us ? 1.0 : 0.0;
   if (looks == 0.0) return {};
-  sonar_.visit(place.beam, y, reach, 1.0, [&](const BinnedPoint& p) {
-    if (std::abs(utime_of(p) - scan.utime) <= leave_out_us) return;
+  memory_.in_sonar().visit(place.beam, y, reach, 1.0, [&](const BinnedPoint& p) {
+    if (std::abs(memory_.utime_of(p) - scan.utime) <= leave_out_us) return;
     count += static_cast<double>(p.weight) * triangle((static_cast<double>(p.x) - place.beam) / reach) *
              triangle(static_cast<double>(p.y) - y);
   });
@@ -327,7 +247,7 @@ Excess ClutterMap::spot_excess(const ScanTable& scan, const Place& place, double
   return excess(scale * count, scale * looks * across * along * per_cell, sonar_prior());
 }
 
-Excess ClutterMap::earth_excess(const ScanTable& scan, const Place& place, double rate) const {
+Excess ClutterMap::earth_excess(const ScanTable& scan, const SeenPlace& place, double rate) const {
   const Eigen::Vector2d along =
       (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
   const double cross_reach =
@@ -335,8 +255,8 @@ Excess ClutterMap::earth_excess(const ScanTable& scan, const Place& place, doubl
   const double box_north = std::abs(along.x()) * range_reach_ + std::abs(along.y()) * cross_reach;
   const double box_east = std::abs(along.y()) * range_reach_ + std::abs(along.x()) * cross_reach;
   double count = 0.0, fine = 0.0;
-  earth_.visit(place.p_earth.x(), place.p_earth.y(), box_north, box_east, [&](const BinnedPoint& p) {
-    if (!counts(p.look)) return;
+  memory_.earth().visit(place.p_earth.x(), place.p_earth.y(), box_north, box_east, [&](const BinnedPoint& p) {
+    if (!counts(p)) return;
     const double dn = static_cast<double>(p.x) - place.p_earth.x();
     const double de = static_cast<double>(p.y) - place.p_earth.y();
     const double down = (dn * along.x() + de * along.y()) / range_reach_;
@@ -349,7 +269,7 @@ Excess ClutterMap::earth_excess(const ScanTable& scan, const Place& place, doubl
   const double beams = cross_reach / (scan.width_at(place.beam) * place.range);
   const double per_look = rate / scan.num_beams * beams * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
-  const double expected = scale * views_of(scan, place) * per_look;
+  const double expected = scale * views_of(place) * per_look;
   const ExcessPrior prior = earth_prior();
   const Excess wide = excess(scale * count, expected, prior);
   const Excess sharp = excess(scale * fine, kFine * expected, prior);
@@ -368,7 +288,7 @@ ExcessPrior ClutterMap::earth_prior() const {
 
 // The background's share of the returns in a frame around a place, in the sonar's frame or the earth's,
 // whichever is less: its middle, where a target's own returns are, is left out.
-double ClutterMap::clear_around(const ScanTable& scan, const Place& place, double rate) const {
+double ClutterMap::clear_around(const ScanTable& scan, const SeenPlace& place, double rate) const {
   if (num_counted_ == 0.0) return 1.0;
   const double y = place.range / range_reach_;
   double sonar = 0.0, earth = 0.0;
@@ -377,16 +297,17 @@ double ClutterMap::clear_around(const ScanTable& scan, const Place& place, doubl
     return a <= FrameCounts::kBeams && b <= FrameCounts::kReaches &&
            !(a <= FrameCounts::kMiddleBeams && b <= FrameCounts::kMiddleReaches);
   };
-  sonar_.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
-    if (counts(p.look) && in_frame(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y))
+  const PointBins& bins = memory_.in_sonar();
+  bins.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
+    if (counts(p) && in_frame(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y))
       sonar += static_cast<double>(p.weight);
   });
   const Eigen::Vector2d along =
       (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
   const double beam = scan.width_at(place.beam) * place.range;
   const double box = std::hypot(FrameCounts::kBeams * beam, FrameCounts::kReaches * range_reach_);
-  earth_.visit(place.p_earth.x(), place.p_earth.y(), box, box, [&](const BinnedPoint& p) {
-    if (!counts(p.look)) return;
+  memory_.earth().visit(place.p_earth.x(), place.p_earth.y(), box, box, [&](const BinnedPoint& p) {
+    if (!counts(p)) return;
     const double dn = static_cast<double>(p.x) - place.p_earth.x();
     const double de = static_cast<double>(p.y) - place.p_earth.y();
     if (in_frame((de * along.x() - dn * along.y()) / beam, (dn * along.x() + de * along.y()) / range_reach_))
@@ -400,10 +321,11 @@ double ClutterMap::clear_around(const ScanTable& scan, const Place& place, doubl
 }
 
 // Mean number of looks, each weighted with the density of its background there, that had a place in view.
-double ClutterMap::views_of(const ScanTable&, const Place& place) const {
+double ClutterMap::views_of(const SeenPlace& place) const {
   double views = 0.0;
-  for (const Look& look : looks_) {
-    if (!counts(look.number)) continue;
+  for (std::size_t k = 0; k < counted_.size(); ++k) {
+    if (counted_[k] == 0) continue;
+    const Look& look = memory_.looks()[k];
     const double dn = place.p_earth.x() - look.T_earth_sonar.north;
     const double de = place.p_earth.y() - look.T_earth_sonar.east;
     const double square = dn * dn + de * de;
@@ -421,7 +343,7 @@ void ClutterMap::learn(const ScanTable& newest, std::span<const double> own, dou
   sonar_dense_.begin_scan();
   if (num_counted_ > 0.0) earth_dense_.begin_scan();
   for (std::size_t j = 0; j < newest.detections.size(); ++j) {
-    const Place place = place_of(newest, newest.detections[j]);
+    const SeenPlace place = seen_place(newest, newest.detections[j]);
     const Excess spot = spot_excess(newest, place, rate, spot_us_),
                  frame = frame_excess(newest, place, rate, false);
     const Excess& sonar = spot.density() > frame.density() ? spot : frame;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -9,7 +8,7 @@
 #include "csht/likelihood/clutter_density.hpp"
 #include "csht/likelihood/dense_returns.hpp"
 #include "csht/likelihood/frame_counts.hpp"
-#include "csht/likelihood/point_bins.hpp"
+#include "csht/likelihood/look_memory.hpp"
 #include "csht/likelihood/scan_table.hpp"
 #include "csht/likelihood/typical_rate.hpp"
 
@@ -91,51 +90,25 @@ class ClutterMap {
   std::vector<PricedPlace> places(const ScanTable& scan, double rate, std::size_t most) const;
 
  private:
-  struct Look {
-    std::int64_t utime = 0;
-    int number = 0;
-    core::Pose2 T_earth_sonar;
-    double axis = 0.0, half_sector = 0.0, max_range = 0.0;
-    std::vector<BinnedPoint> earth, sonar;  // Of its returns, in one order; weights are those of `earth`.
-  };
-  struct Place {  // Where a density is asked for: earth frame [m], beams from the axis, range [m].
-    Eigen::Vector2d p_earth;
-    double beam = 0.0, range = 0.0;
-  };
-
-  static Place place_of(const ScanTable& scan, const core::Detection& detection);
-  static Place place_in_earth(const ScanTable& scan, const Eigen::Vector2d& p_earth);
-  Place place_in_sonar(const ScanTable& scan, const BinnedPoint& point) const;
-  void reserve();
-  Look& next_look();
-  void take_return(const ScanTable& scan, const core::Detection& detection, float weight, Look& look);
-  void sort_returns();
   void find_typical_rate(const ScanTable& scan);
   void mark_looks(const ScanTable& scan) const;
-  bool counts(int look) const {
-    return counted_[static_cast<std::size_t>(look - looks_.front().number)] != 0;
-  }
-  std::int64_t utime_of(const BinnedPoint& p) const {
-    return looks_[static_cast<std::size_t>(p.look - looks_.front().number)].utime;
-  }
-  Excess spot_excess(const ScanTable& scan, const Place& place, double rate, std::int64_t leave_out_us) const;
-  Excess earth_excess(const ScanTable& scan, const Place& place, double rate) const;
-  double background_at(const ScanTable& scan, const Place& place, double rate) const;
-  Excess frame_excess(const ScanTable& scan, const Place& place, double rate, bool corners) const;
+  bool counts(const BinnedPoint& p) const { return counted_[memory_.index_of(p)] != 0; }
+  Excess spot_excess(const ScanTable& scan, const SeenPlace& place, double rate,
+                     std::int64_t leave_out_us) const;
+  Excess earth_excess(const ScanTable& scan, const SeenPlace& place, double rate) const;
+  double background_at(const ScanTable& scan, const SeenPlace& place, double rate) const;
+  Excess frame_excess(const ScanTable& scan, const SeenPlace& place, double rate, bool corners) const;
   ExcessPrior sonar_prior() const;
   ExcessPrior earth_prior() const;
-  double clear_around(const ScanTable& scan, const Place& place, double rate) const;
-  double views_of(const ScanTable& scan, const Place& place) const;
+  double clear_around(const ScanTable& scan, const SeenPlace& place, double rate) const;
+  double views_of(const SeenPlace& place) const;
 
   ClutterMapParams params_;
   double range_reach_;  ///< [m].
   double leave_out_s_;
-  std::int64_t spacing_us_, leave_out_us_, spot_us_;
-  std::vector<Look> looks_;  ///< The oldest first.
-  std::vector<Look> spare_;  ///< Those not in use yet, with their buffers.
-  std::vector<BinnedPoint> points_;
+  std::int64_t leave_out_us_, spot_us_;
+  LookMemory memory_;
   TypicalRate typical_;
-  PointBins earth_, sonar_;
   mutable std::vector<char> counted_;  ///< Of each look, whether it judges the scan at hand,
   mutable double num_counted_ = 0.0;   ///< how many do,
   mutable double num_others_ = 0.0;    ///< and how many there are beside its own.

@@ -40,6 +40,45 @@ TEST(SequenceGaps, TakesBackOneNumberThatFitsNowhere) {
   EXPECT_EQ(lost_of({0, 1, 5, 6, 7}), 3);       // A loss stays one.
 }
 
+TEST(SequenceGaps, WhatComesLateIsNotLost) {
+  EXPECT_EQ(lost_of({1, 2, 4, 3, 5, 6}), 0);
+  EXPECT_EQ(lost_of({1, 2, 6, 4, 3, 7, 12, 5, 9, 13}), 3);  // 8, 10 and 11.
+  EXPECT_EQ(lost_of({1, 5, 3, 3, 6}), 2);                   // 3 comes twice, 2 and 4 never.
+}
+
+// A thousand too high for a while: nothing between came, and going back is a restart.
+TEST(SequenceGaps, NumbersThatJumpAndComeBackAreNotLate) {
+  SequenceGaps gaps;
+  for (const std::int64_t number : {78, 79, 1080, 1081, 1082, 83, 84, 85}) gaps.add(number);
+  EXPECT_EQ(gaps.lost(), 1000);
+  EXPECT_EQ(gaps.restarts(), 1);
+}
+
+TEST(SequenceGaps, NumbersOfAnOldLineAreNoneOfTheNew) {
+  SequenceGaps gaps;
+  for (const std::int64_t number : {5, 6, 9, 10, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9}) gaps.add(number);
+  EXPECT_EQ(gaps.lost(), 2);  // 7 and 8 before the restart.
+  EXPECT_EQ(gaps.restarts(), 1);
+}
+
+// Every second is late by more than one gap, as on a link of two ways, and refused.
+TEST(SequenceGaps, WhatIsRefusedGapsLaterIsNotLost) {
+  SequenceGaps gaps;
+  for (std::int64_t number = 0; number < 100; number += 2) {
+    gaps.add(number);
+    if (number >= 10) gaps.refused(number - 9);
+  }
+  EXPECT_EQ(gaps.lost(), 4);  // 91, 93, 95 and 97 are still to come.
+}
+
+TEST(SequenceGaps, ARefusedDoubleIsFoundOnce) {
+  SequenceGaps gaps;
+  gaps.add(0);
+  gaps.add(4);
+  for (int times = 0; times < 3; ++times) gaps.refused(2);
+  EXPECT_EQ(gaps.lost(), 2);
+}
+
 TEST(SequenceGaps, DoesNotCountWhatCameAndWasRefused) {
   SequenceGaps gaps;
   gaps.add(0);

@@ -97,8 +97,8 @@ TEST(CaseCounts, WhatCameIsWhatWasUsedAndWhatWasRefusedByReason) {
       continue;
     }
     ++read;
-    EXPECT_EQ(replayed["scans"],
-              replayed.sum({"tracked", "no_pose", "damaged", "out_of_time", "frozen", "shed"}));
+    EXPECT_EQ(replayed["scans"], replayed.sum({"tracked", "no_pose", "damaged", "out_of_time", "frozen",
+                                               "foreign", "contradicting", "shed"}));
     EXPECT_EQ(replayed["vehicle_states"],
               replayed.sum({"vehicle_states_believed", "vehicle_states_rejected"}));
     EXPECT_LE(replayed.sum({"returns_silent", "returns_out_of_bounds"}), replayed["returns"]);

@@ -47,6 +47,17 @@ class LogCases : public ::testing::Test {
     return static_cast<int>(
         std::count_if(all.begin(), all.end(), [=](const auto& life) { return life.second >= scans; }));
   }
+  /// Distance of the farthest confirmed or coasting track from the origin [m].
+  double farthest(const std::string& out) const {
+    double most = 0.0;
+    std::istringstream text(tracks(out));
+    std::string time, id, status, north, east, rest;
+    std::getline(text, rest);
+    while (std::getline(text, time, ',') && std::getline(text, id, ',') && std::getline(text, status, ',') &&
+           std::getline(text, north, ',') && std::getline(text, east, ',') && std::getline(text, rest))
+      if (status != "tentative") most = std::max(most, std::hypot(std::stod(north), std::stod(east)));
+    return most;
+  }
   /// The log and the recording that is unpacked from it give the same tracks to the byte.
   void expect_same_from_recording(const std::string& name) const {
     ASSERT_EQ(replay(case_file(name), "log").status, 0);
@@ -118,7 +129,24 @@ TEST_F(LogCases, TwoSonarsLoseNoScanAndNoCount) {
     EXPECT_EQ(result.status, 0) << result.err;
     expect_said(result, "120 scans tracked\n");
     expect_same_from_recording(name);
+    EXPECT_EQ(long_lives("log", 100), 2) << name;  // Two targets.
+    // Sonars of 100 m on a vehicle that goes 60 m from the origin. A track once began 860 m away, behind it.
+    EXPECT_LT(farthest("log"), 180.0) << name;
   }
+}
+
+// The newest scan is often the other sonar's: a young track that was drawn anew there went 280 km away.
+TEST_F(LogCases, NoTrackOfTwoSonarsIsFlungOutOfTheirView) {
+  const std::string log = directory_.file("two.lcmlog");
+  const auto sent =
+      run_lookout("sim " LOOKOUT_SOURCE_DIR
+                  "/tools/scenarios/sea_two_sonars.yaml --seed 1011 --speed 1000 --lcm-url 'file://" +
+                  log + "?mode=w'");
+  ASSERT_EQ(sent.status, 0) << sent.err;
+  const auto result = replay(log, "log");
+  EXPECT_EQ(result.status, 0) << result.err;
+  expect_said(result, "320 scans tracked");
+  EXPECT_LT(farthest("log"), 260.0);  // 150 m in view of a vehicle that goes 66 m from where it set out.
 }
 
 TEST_F(LogCases, DamagedLengthsCostTheirEventsAlone) {

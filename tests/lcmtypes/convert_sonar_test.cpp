@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "core/beam_bearings.hpp"
@@ -117,6 +119,17 @@ TEST(ConvertSonar, WholeStepsOfTheImagesOwnScaleStayToTheBit) {
   const auto back = to_core(to_wire(image)).value;
   EXPECT_EQ(back->intensity, image.intensity);
   EXPECT_EQ(back->intensity_scale, 1.7 / 255.0);
+}
+
+// A recording holds a mount within a turn; one and a half turns point aft.
+TEST(ConvertSonar, AMountBeyondATurnPointsTheSameWay) {
+  auto wire = to_wire(tests::example_scan());
+  wire.mount_heading = 3.0 * std::numbers::pi;
+  EXPECT_NEAR(std::abs(to_core(wire).value->T_body_sonar.heading), std::numbers::pi, 1e-12);
+  wire.mount_heading = -1.25;
+  EXPECT_EQ(to_core(wire).value->T_body_sonar.heading, -1.25);
+  wire.mount_heading = 1e9;  // No angle: the intake refuses it.
+  EXPECT_EQ(to_core(wire).value->T_body_sonar.heading, 1e9);
 }
 
 }  // namespace

@@ -57,6 +57,24 @@ TEST(Inbox, LetsNoExceptionOutOfAHandler) {
   inbox.take("SONAR_SCAN", bytes.data(), bytes.size());
   EXPECT_EQ(inbox.counts("SONAR_SCAN").handler_errors, 1);
   EXPECT_EQ(inbox.last_error(), "SONAR_SCAN: disk full");
+  EXPECT_EQ(inbox.bad_messages(), 1);  // It was not used: it counts as refused.
+  ASSERT_EQ(inbox.refusals().size(), 1u);
+  EXPECT_EQ(text_of(inbox.refusals()[0]), "SONAR_SCAN: 1 messages refused: its handler failed");
+}
+
+TEST(Inbox, CountsWhatAReaderMakesNothingOf) {
+  Inbox inbox;
+  std::vector<int> seen;
+  const auto read = [](std::span<const std::uint8_t> bytes) {
+    return bytes.size() == 1 ? std::optional(int{bytes[0]}) : std::nullopt;
+  };
+  inbox.on_read("REPORT", read, [&](int value) { seen.push_back(value); });
+  inbox.take("REPORT", "\5", 1);
+  inbox.take("REPORT", "22", 2);
+  EXPECT_EQ(seen, std::vector<int>{5});
+  EXPECT_EQ(inbox.counts("REPORT").received, 2);
+  EXPECT_EQ(inbox.counts("REPORT").undecodable, 1);
+  EXPECT_EQ(inbox.last_error(), "REPORT: not one whole message of its type");
 }
 
 TEST(Inbox, HandsBytesOnUndecoded) {

@@ -53,6 +53,26 @@ Outcome outcome_of(const std::vector<core::PosedImage>& pings, const ChainParams
   return outcome;
 }
 
+// Each sonar has a detector that remembers images: ids without end would take memory without end.
+TEST(StreamDetector, LeavesTheImagesOfMoreSonarsThanAVehicleHas) {
+  std::vector<std::string> lines;
+  StreamDetector detector(told(), [&](const std::string& line) { lines.push_back(line); });
+  core::SonarImage image;
+  image.bearings = {-0.01, 0.0, 0.01};
+  image.range_step = 1.0;
+  image.num_bins = 3;
+  image.intensity.assign(9, 1.0);
+  for (int sonar = 0; sonar < 100; ++sonar) {
+    image.sensor_id = sonar;
+    EXPECT_EQ(detector.detect(image) != nullptr, sonar < 64) << sonar;
+  }
+  EXPECT_EQ(detector.damaged(), 36);
+  ASSERT_EQ(lines.size(), 6u);  // 1, 2, 4, ... 32.
+  EXPECT_EQ(lines[0], "image 0 rejected: more sonars than 64 on one vehicle (1 so far)");
+  image.sensor_id = 5;
+  EXPECT_NE(detector.detect(image), nullptr);
+}
+
 std::vector<core::PosedImage> one_target(double duration) {
   return pings_of(
       sonar_scene("  - {id: 1, north: 70.0, east: -20.0, north_velocity: -1.0, east_velocity: 0.8}\n",

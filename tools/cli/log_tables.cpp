@@ -19,6 +19,7 @@ struct LogContent {
   core::Recording recording;
   std::vector<lcmtypes::KeyedTracks> tracks;
   std::vector<lcmtypes::OspaReport> ospa;
+  std::vector<std::string> left_out;  ///< A line for each kind.
 
   bool empty() const {
     return recording.scans.empty() && recording.vehicle.empty() && tracks.empty() && ospa.empty();
@@ -38,12 +39,14 @@ LogContent read(const std::string& path, const lcmtypes::Channels& channels) {
   });
   inbox.on<track_list_t>(channels.tracks(),
                          [&](lcmtypes::KeyedTracks tracks) { content.tracks.push_back(std::move(tracks)); });
-  inbox.on_bytes(channels.ospa(), [&](std::span<const std::uint8_t> bytes) {
-    if (const auto report = lcmtypes::read_ospa(bytes)) content.ospa.push_back(*report);
-  });
+  inbox.on_read(channels.ospa(), &lcmtypes::read_ospa,
+                [&](const lcmtypes::OspaReport& report) { content.ospa.push_back(report); });
   lcmtypes::LogReader log(path);
   while (const auto message = log.next())
     inbox.take(message->channel, message->bytes.data(), message->bytes.size());
+  for (const auto& refusal : inbox.refusals()) content.left_out.push_back(lcmtypes::text_of(refusal));
+  if (log.damages() > 0)
+    content.left_out.push_back(std::to_string(log.damages()) + " stretches of the log cannot be read");
   return content;
 }
 
@@ -78,29 +81,35 @@ void write_ospa(const std::string& path, const std::vector<lcmtypes::OspaReport>
   csv.close();
 }
 
-/// Keeps the vehicle states that a recording holds: each later than all before it.
-void keep_in_order(std::vector<core::VehicleState>& vehicle) {
+/// Keeps the vehicle states that a recording holds: each later than all before it. @return how many go.
+std::size_t keep_in_order(std::vector<core::VehicleState>& vehicle) {
   std::vector<core::VehicleState> kept;
   for (const auto& state : vehicle)
     if (kept.empty() || state.utime > kept.back().utime) kept.push_back(state);
+  const std::size_t left_out = vehicle.size() - kept.size();
   vehicle = std::move(kept);
+  return left_out;
 }
 
 }  // namespace
 
-void write_log_tables(const std::string& log, const std::string& channel_prefix,
-                      const std::string& directory) {
-  LogContent content = read(log, lcmtypes::Channels(channel_prefix));
+std::vector<std::string> write_log_tables(const std::string& log, const std::string& channel_prefix,
+                                          const std::string& directory) {
+  const lcmtypes::Channels channels(channel_prefix);
+  LogContent content = read(log, channels);
   if (content.empty())
     throw core::InputError(log + ": holds no SONAR_SCAN, VEHICLE_STATE, TRACKS or OSPA" +
                            (channel_prefix.empty() ? "; perhaps a --channel-prefix is needed"
                                                    : " with the prefix " + channel_prefix));
-  keep_in_order(content.recording.vehicle);
+  if (const std::size_t back = keep_in_order(content.recording.vehicle); back > 0)
+    content.left_out.push_back(channels.vehicle_state() + ": " + std::to_string(back) +
+                               " states that are not later than all before them are left out");
   if (!content.recording.scans.empty())
     content.recording.params = core::with_geometry_of(content.recording.scans.front(), {});
   core::write_recording(directory, content.recording);
   if (!content.tracks.empty()) write_tracks(directory + "/tracks.csv", content.tracks);
   if (!content.ospa.empty()) write_ospa(directory + "/ospa.csv", content.ospa);
+  return content.left_out;
 }
 
 }  // namespace lookout::tools

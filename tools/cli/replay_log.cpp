@@ -165,9 +165,7 @@ std::vector<std::string> notes_of(const LogFigures& figures, const core::Recordi
   const LogSurvey& survey = figures.survey;
   note(survey.damages > 0, "the log is damaged or cut off: " + std::to_string(survey.bytes_lost) +
                                " bytes in " + std::to_string(survey.damages) + " place(s) could not be read");
-  for (const auto& refusal : figures.refusals)
-    note(true, refusal.channel + ": " + std::to_string(refusal.count) +
-                   " messages refused: " + std::string(refusal.reason));
+  for (const auto& refusal : figures.refusals) note(true, lcmtypes::text_of(refusal));
   note(figures.refused_truth > 0,
        std::to_string(figures.refused_truth) + " lists of truth at a time that has one already");
   note(figures.images_left_out > 0, std::to_string(figures.images_left_out) +

@@ -44,7 +44,7 @@ void write_ospa(const std::string& path, const TrackedRun& run, tracking::Scorer
   for (const auto& note : matched.notes()) log_warning(note);
 }
 
-/// What came in and what became of it: scans = tracked + the five reasons, and so on.
+/// What came in and what became of it: scans = tracked + the seven reasons, and so on.
 nlohmann::ordered_json received(const tracking::IntakeCounts& counts) {
   return {{"scans", counts.received},
           {"tracked", counts.accepted},
@@ -52,6 +52,8 @@ nlohmann::ordered_json received(const tracking::IntakeCounts& counts) {
           {"damaged", counts.damaged},
           {"out_of_time", counts.out_of_time},
           {"frozen", counts.frozen},
+          {"foreign", counts.foreign},
+          {"contradicting", counts.contradicting},
           {"shed", counts.shed},
           {"returns", counts.returns},
           {"returns_silent", counts.silent_returns},

@@ -109,7 +109,9 @@ int plot_command(const Options& options) {
   if (images_alone) return draw("plot_images.py", {input}, files);
   const TemporaryDirectory scratch("lookout_plot_");
   const std::string directory = is_directory ? input : scratch.path();
-  if (!is_directory) write_log_tables(input, options.channel_prefix, directory);
+  if (!is_directory)
+    for (const auto& line : write_log_tables(input, options.channel_prefix, directory))
+      log_warning("plot: " + line);
   score(directory, options, scratch.file("scores.csv"));
   return draw("plot_run.py",
               {directory, "--scores", scratch.file("scores.csv"), "--title",

@@ -52,11 +52,6 @@ WatchAnswers::Answer decisions_of(const Options& options, std::int64_t longest_r
   };
 }
 
-/// Takes a DECISIONS message.
-void keep(DecisionBook& book, std::span<const std::uint8_t> bytes) {
-  if (const auto report = lcmtypes::read_decisions(bytes)) book.add(report->text);
-}
-
 /// What has become newest since the last flush.
 class Changes {
  public:
@@ -76,14 +71,15 @@ class Changes {
 
 int watch_live(const Options& options, const HttpAddress& address) {
   Changes changes;
-  Heard heard(options.channel_prefix, [&changes](Topic topic) { changes.note(topic); });
+  DecisionBook book;
+  Heard heard(options.channel_prefix, [&](Topic topic) {
+    if (topic == Topic::decisions) return book.add(heard.newest().decisions->text);
+    changes.note(topic);
+  });
   const auto limits = loop_limits(options);
   EventHub hub;
-  DecisionBook book;
   lcmtypes::Bus bus(options.lcm_url);
   listen(bus, heard);
-  bus.subscribe_bytes(lcmtypes::Channels(options.channel_prefix).decisions(),
-                      [&book](std::span<const std::uint8_t> bytes) { keep(book, bytes); });
   const WatchServer server(address, hub,
                            {R"({"mode":"live"})", nullptr, [&hub](std::int64_t) { return *hub.trails(); },
                             decisions_of(options, kReadLive, book)});
@@ -107,7 +103,7 @@ int watch_log(const Options& options, const HttpAddress& address) {
   const auto limits = loop_limits(options);
   DecisionBook book(kTracksOfLog);
   const LogFrames frames(path, options.channel_prefix,
-                         [&book](std::span<const std::uint8_t> bytes) { keep(book, bytes); });
+                         [&book](const lcmtypes::DecisionReport& report) { book.add(report.text); });
   EventHub hub;
   const nlohmann::json mode{
       {"mode", "log"}, {"name", std::filesystem::path(path).filename().string()}, {"frames", frames.size()}};
@@ -116,6 +112,7 @@ int watch_log(const Options& options, const HttpAddress& address) {
       {line_of(mode), [&frames](std::int64_t n) { return line_in_range(frames, n, &LogFrames::frame); },
        [&frames](std::int64_t n) { return line_in_range(frames, n, &LogFrames::trails); },
        decisions_of(options, kReadOfLog, book)});
+  for (const auto& refusal : frames.refusals()) log_warning("watch: " + lcmtypes::text_of(refusal));
   if (frames.damages() > 0)
     log_warning("watch: " + std::to_string(frames.damages()) + " stretches of the log cannot be read");
   tell_address(address, server, std::to_string(frames.size()) + " frames of " + path);

@@ -17,9 +17,10 @@ import lcm.lcm.LCMSubscriber;
 abstract class LivePanel extends JPanel {
     static final Color BACKGROUND = new Color(0x08, 0x11, 0x19);
     static final Color TEXT = new Color(0xdc, 0xe6, 0xee);
+    static final Color DAMAGED = new Color(0xff, 0x7f, 0x6e);
     private static final int REPAINT_MS = 50;
 
-    /** What is done with a message; it may throw on a damaged one, which is then passed by. */
+    /** What is done with a message; it may throw on a damaged one, which is then passed by, counted and told. */
     interface Take {
         void message(LCMDataInputStream bytes) throws Exception;
     }
@@ -44,6 +45,7 @@ abstract class LivePanel extends JPanel {
             try {
                 bytes.readFully(copy);
             } catch (java.io.IOException error) {
+                SwingUtilities.invokeLater(this::countDamaged);
                 return;
             }
             SwingUtilities.invokeLater(() -> take(take, copy));
@@ -61,8 +63,13 @@ abstract class LivePanel extends JPanel {
             take.message(new LCMDataInputStream(bytes));
             isNew = true;
         } catch (Exception | OutOfMemoryError error) {
-            damaged++;
+            countDamaged();
         }
+    }
+
+    private void countDamaged() {
+        damaged++;
+        isNew = true;
     }
 
     private void repaintIfNew() {
@@ -100,6 +107,10 @@ abstract class LivePanel extends JPanel {
         g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         g.setColor(TEXT);
         paintPicture(g);
+        if (damaged > 0) {
+            g.setColor(DAMAGED);
+            g.drawString(damaged + (damaged == 1 ? " damaged message" : " damaged messages") + " passed by", 8, getHeight() - 8);
+        }
         g.dispose();
     }
 

@@ -1,15 +1,14 @@
 #include "tools/watch/heard.hpp"
 
 #include <array>
-#include <stdexcept>
 #include <utility>
 
 namespace lookout::tools {
 
 std::string_view topic_name(Topic topic) {
-  constexpr std::array<std::string_view, kNumTopics> kNames{"vehicle",       "scan",     "image",  "tracks",
-                                                            "global_tracks", "elements", "sensor", "clutter",
-                                                            "truth",         "ospa",     "status"};
+  constexpr std::array<std::string_view, kNumTopics> kNames{
+      "vehicle", "scan",    "image", "tracks", "global_tracks", "elements",
+      "sensor",  "clutter", "truth", "ospa",   "decisions",     "status"};
   return kNames.at(static_cast<std::size_t>(topic));
 }
 
@@ -47,6 +46,8 @@ void Heard::listen(const lcmtypes::Channels& channels) {
 void Heard::listen_to_reports(const lcmtypes::Channels& channels) {
   keep_read(Topic::ospa, channels.ospa(), &lcmtypes::read_ospa,
             [this](const lcmtypes::OspaReport& report) { newest_.ospa = report; });
+  keep_read(Topic::decisions, channels.decisions(), &lcmtypes::read_decisions,
+            [this](lcmtypes::DecisionReport report) { newest_.decisions = std::move(report); });
   keep_read(Topic::status, channels.status(), &lcmtypes::read_node_status,
             [this](const lcmtypes::NodeStatus& status) { take_node(status); });
 }
@@ -63,10 +64,8 @@ void Heard::keep(Topic topic, const std::string& channel, std::optional<Value>& 
 template <class Read, class Keep>
 void Heard::keep_read(Topic topic, const std::string& channel, Read read, const Keep& keep) {
   sources_[topic].channel = channel;
-  inbox_.on_bytes(channel, [this, topic, read, keep](std::span<const std::uint8_t> bytes) {
-    const auto value = read(bytes);
-    if (!value) throw std::invalid_argument("not one whole message of its type");
-    keep(*value);
+  inbox_.on_read(channel, read, [this, topic, keep](auto value) {
+    keep(std::move(value));
     news_(topic);
   });
 }

@@ -32,9 +32,10 @@ enum class Topic {
   clutter,
   truth,
   ospa,
+  decisions,
   status
 };
-inline constexpr std::size_t kNumTopics = 11;
+inline constexpr std::size_t kNumTopics = 12;
 
 /// "vehicle", "scan", ...
 std::string_view topic_name(Topic topic);
@@ -74,6 +75,7 @@ struct Newest {
   std::optional<core::ClutterGrid> clutter;
   std::optional<core::GroundTruth> truth;
   std::optional<lcmtypes::OspaReport> ospa;
+  std::optional<lcmtypes::DecisionReport> decisions;
   std::map<NodeKey, HeardNode> nodes;  ///< At most Heard::kMaxNodes.
 };
 

@@ -47,19 +47,22 @@ LogFrames::~LogFrames() {
 }
 
 void LogFrames::index(const std::string& path, const OnDecisions& on_decisions) {
-  const Heard listener(prefix_);
-  const std::string decisions = lcmtypes::Channels(prefix_).decisions();
+  Heard listener(prefix_, [&](Topic topic) {
+    if (topic == Topic::decisions) on_decisions(*listener.newest().decisions);
+  });
   for (const auto& channel : listener.channel_names()) places_[channel];
   lcmtypes::LogReader log(path);
   std::uint32_t order = 0;
   while (const auto message = log.next()) {
     ++order;
-    if (message->channel == decisions) on_decisions(message->bytes);
+    const std::int64_t bad = listener.inbox().bad_messages();
+    listener.take(message->channel, message->bytes, Heard::Clock::time_point());
     const auto found = places_.find(message->channel);
-    if (found == places_.end()) continue;
+    if (found == places_.end() || listener.inbox().bad_messages() > bad) continue;
     found->second.push_back({message->offset, static_cast<std::uint32_t>(message->bytes.size()), order});
   }
   damages_ = log.damages();
+  refusals_ = listener.inbox().refusals();
 }
 
 std::vector<LogFrames::Choice> LogFrames::newest_at(std::uint32_t order) const {

@@ -18,13 +18,13 @@ namespace lookout::tools {
 /// messages: 16 bytes each. Its const functions may be called from several threads.
 class LogFrames {
  public:
-  using OnDecisions = std::function<void(std::span<const std::uint8_t> message)>;
+  using OnDecisions = std::function<void(const lcmtypes::DecisionReport&)>;
 
-  /// Reads the log once, and hands every DECISIONS message on.
+  /// Reads the log once, checks every message, and hands those of DECISIONS on.
   /// @throws core::InputError where it is no readable log, or holds no channel of ours.
   LogFrames(
       const std::string& path, const std::string& channel_prefix,
-      const OnDecisions& on_decisions = [](std::span<const std::uint8_t>) {});
+      const OnDecisions& on_decisions = [](const lcmtypes::DecisionReport&) {});
   ~LogFrames();
   LogFrames(const LogFrames&) = delete;
   LogFrames& operator=(const LogFrames&) = delete;
@@ -38,6 +38,8 @@ class LogFrames {
   /// Where the tracks were in the 30 s before frame `n`.
   nlohmann::json trails(std::size_t n) const;
 
+  /// Messages that no picture shows, by channel and reason.
+  const std::vector<lcmtypes::Refusal>& refusals() const { return refusals_; }
   std::int64_t damages() const { return damages_; }  ///< Stretches of the log that could not be read.
 
  private:
@@ -58,6 +60,7 @@ class LogFrames {
   std::map<std::string, std::vector<Place>> places_;  ///< By channel, in the order of the log.
   std::vector<std::uint32_t> frames_;                 ///< The order of the message that completes each.
   std::string frame_channel_;
+  std::vector<lcmtypes::Refusal> refusals_;
   std::int64_t damages_ = 0;
   int file_ = -1;
 };

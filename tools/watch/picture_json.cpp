@@ -281,6 +281,8 @@ json picture_of(const Heard& heard, Topic topic, Heard::Clock::time_point now) {
       return or_null(newest.truth);
     case Topic::ospa:
       return or_null(newest.ospa);
+    case Topic::decisions:
+      return nullptr;  // They are asked for by track: DecisionBook.
     case Topic::status:
       return status_of(heard, now);
   }

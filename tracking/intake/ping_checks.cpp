@@ -86,7 +86,8 @@ std::string_view defect(const core::SonarScan& scan) {
   if (!within(scan.first_bearing, kFullTurn) || !positive_below(scan.bearing_step, kFullTurn) ||
       scan.num_beams * scan.bearing_step > kFullTurn * (1.0 + kSameGeometry))
     return "bearings out of range";
-  if (!positive_below(scan.max_range, PingLimits::kMaxRange)) return "maximum range out of range";
+  if (!positive_below(scan.max_range, PingLimits::kMaxRange) || scan.max_range < core::SonarLimits::kMinRange)
+    return "maximum range out of range";
   return {};
 }
 

@@ -9,7 +9,7 @@
 #include "core/files/csv.hpp"
 #include "core/files/time_text.hpp"
 #include "tracking/intake/intake_words.hpp"
-#include "tracking/intake/ping_content.hpp"
+#include "tracking/intake/ping_checks.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -34,19 +34,6 @@ std::int64_t num_returns(const core::SonarScan& scan) {
 }
 std::int64_t num_returns(const core::SonarImage& /*image*/) {
   return 0;
-}
-
-/// The fan that the scan's message could not carry.
-void give_fan(FanFinder& finder, const core::SonarParams& configured, core::SonarScan& scan) {
-  scan.fan = finder.fan_of(scan, configured);
-}
-void give_fan(FanFinder& /*finder*/, const core::SonarParams& /*configured*/, core::SonarImage& /*image*/) {}
-
-bool learns_fan(FanFinder& finder, const core::SonarScan& scan) {
-  return finder.learn(scan);
-}
-bool learns_fan(FanFinder& /*finder*/, const core::SonarImage& /*image*/) {
-  return false;
 }
 
 std::int64_t max_pose_gap(const core::SonarParams& configured) {
@@ -95,34 +82,46 @@ PingIntake<Ping>::PingIntake(const core::SonarParams& configured, Sink sink, con
       params_(checked(params, configured)),
       pose_wait_(pose_wait(params_, configured)),
       states_({[this](const core::VehicleState& state, std::string_view reason) {
-                 if (worth_a_line(++counts_.bad_states))
+                 if (worth_a_line(++ledger_.counts.bad_states))
                    sink_.report("vehicle state" + at_time(state.utime) + " rejected: " + std::string(reason) +
-                                so_far(counts_.bad_states));
+                                so_far(ledger_.counts.bad_states));
                },
                [this](const core::VehicleState& state, bool new_clock) {
-                 ++counts_.accepted_states;
-                 if (std::abs(state.T_earth_body.heading) > kTwoTurns) ++counts_.wide_headings;
+                 ++ledger_.counts.accepted_states;
+                 watch_heading(state);
                  if (new_clock) sink_.report("vehicle states are on a new clock" + at_time(state.utime));
                  if (sink_.believe) sink_.believe(state, new_clock);
                }},
               max_pose_gap(configured), state_clock_of(params_, configured)),
-      hold_(params_.max_wait) {}
+      hold_(params_.max_wait) {
+  ledger_.report = sink_.report;
+}
+
+template <class Ping>
+void PingIntake<Ping>::watch_heading(const core::VehicleState& state) {
+  const double heading = std::abs(state.T_earth_body.heading);
+  if (heading > kTwoTurns && worth_a_line(++ledger_.counts.wide_headings))
+    sink_.report("vehicle state" + at_time(state.utime) + " has a heading of " + core::shortest(heading) +
+                 " rad, beyond two turns: degrees?" + so_far(ledger_.counts.wide_headings));
+}
 
 template <class Ping>
 void PingIntake<Ping>::add(const core::VehicleState& state) {
-  ++counts_.states;
+  ++ledger_.counts.states;
   states_.add(state);
   hand_out_what_has_a_pose();
 }
 
 template <class Ping>
 void PingIntake<Ping>::add(Ping ping) {
-  ++counts_.received;
-  if (const auto reason = defect(ping); !reason.empty()) return reject(ping, reason, counts_.damaged);
+  ++ledger_.counts.received;
+  if (const auto reason = defect(ping); !reason.empty()) return reject(ping, reason, ledger_.counts.damaged);
   Sensor* sensor = sensor_of(ping);
-  if (sensor == nullptr) return reject(ping, "more sensors than 64 on one vehicle", counts_.damaged);
-  if (sensor->sender.is_foreign(ping.sequence))
-    return reject(ping, "another sender speaks under its sensor_id, in numbers of its own", counts_.foreign);
+  if (sensor == nullptr) return reject(ping, "more sensors than 64 on one vehicle", ledger_.counts.damaged);
+  if (sensor->guards.is_foreign(ping.sequence, ping.utime))
+    return reject(ping, "another sender speaks under its sensor_id, in numbers of its own",
+                  ledger_.counts.foreign);
+  sensor->guards.watch_pace(ping);
   const std::int64_t utime = ping.utime;
   const Verdict verdict = sensor->clock.judge(utime);
   if (verdict == Verdict::in_order) refuse_held(*sensor);
@@ -137,13 +136,10 @@ void PingIntake<Ping>::add(Ping ping) {
 
 template <class Ping>
 void PingIntake<Ping>::shed(const Ping& ping) {
-  ++counts_.received;
-  ++counts_.shed;
+  ++ledger_.counts.received;
+  ++ledger_.counts.shed;
   Sensor* sensor = sensor_of(ping);
-  if (sensor == nullptr) return;
-  const std::int64_t lost = sensor->gaps.lost();
-  sensor->gaps.refused(ping.sequence);
-  counts_.lost += sensor->gaps.lost() - lost;
+  if (sensor != nullptr) sensor->guards.number_is_refused(ping.sequence);
 }
 
 template <class Ping>
@@ -151,8 +147,8 @@ typename PingIntake<Ping>::Sensor* PingIntake<Ping>::sensor_of(const Ping& ping)
   const auto found = sensors_.find(ping.sensor_id);
   if (found != sensors_.end()) return &found->second;
   if (sensors_.size() >= kMaxSensors) return nullptr;
-  return &sensors_.emplace(ping.sensor_id, Sensor{ClockGuard(clock_of(params_, configured_)), {}})
-              .first->second;
+  Sensor sensor{ClockGuard(clock_of(params_, configured_)), SensorGuards(configured_, ledger_)};
+  return &sensors_.emplace(ping.sensor_id, std::move(sensor)).first->second;
 }
 
 /// Keeps a suspect until others agree with it. The first of its kind replaces those that nothing agreed with.
@@ -235,56 +231,21 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   ping = waiting_.take_first();
   posed_.T_earth_sonar = core::compose(T_earth_body, ping.T_body_sonar);
   Sensor& sensor = sensors_.at(ping.sensor_id);
-  look_at(sensor, ping);
-  count_sequence(sensor, ping.sequence);
-  handed_out_ = sensor.last_out = ping.utime;
-  if (is_frozen(sensor, ping)) return reject(ping, "its content repeats to the bit", counts_.frozen);
+  sensor.guards.look_at(ping);
+  leave(sensor, ping);
+  if (sensor.guards.is_frozen(ping))
+    return reject(ping, "its content repeats to the bit", ledger_.counts.frozen);
   const std::int64_t returns = num_returns(ping);
-  const DroppedReturns dropped = drop_returns_of(sensor, ping);
+  const DroppedReturns dropped = sensor.guards.drop_returns_of(ping);
   if (const auto reason = contradiction(sensor, dropped, T_earth_body); !reason.empty())
-    return reject(ping, reason, counts_.contradicting);
-  counts_.returns += returns;
-  counts_.silent_returns += dropped.silent;
-  counts_.dropped_returns += dropped.out_of_bounds;
-  ++counts_.accepted;
+    return reject(ping, reason, ledger_.counts.contradicting);
+  ledger_.counts.returns += returns;
+  ledger_.counts.silent_returns += dropped.silent;
+  ledger_.counts.dropped_returns += dropped.out_of_bounds;
+  ++ledger_.counts.accepted;
   accepted_ = ping.utime;
   if (sink_.pose) sink_.pose(T_earth_body);
   sink_.accept(posed_);
-}
-
-template <class Ping>
-DroppedReturns PingIntake<Ping>::drop_returns_of(Sensor& sensor, Ping& ping) {
-  give_fan(sensor.fan, configured_, ping);
-  const DroppedReturns dropped = drop_returns(ping);
-  if (learns_fan(sensor.fan, ping))
-    sink_.report(described(ping) +
-                 ": beams are even in sine, not in angle; they are taken at their bearings");
-  return dropped;
-}
-
-/// Tells what a person should know of a ping that is accepted: another geometry, content that is frozen.
-template <class Ping>
-void PingIntake<Ping>::look_at(Sensor& sensor, const Ping& ping) {
-  const PingGeometry geometry = geometry_of(ping);
-  const bool is_new = !sensor.geometry || !same(*sensor.geometry, geometry);
-  const bool is_other = !agrees(ping, configured_);
-  if (is_other) ++counts_.other_geometry;
-  if (is_new && is_other)
-    sink_.report(described(ping) + " has another geometry than the configuration; the message wins" +
-                 so_far(counts_.other_geometry));
-  sensor.geometry = geometry;
-}
-
-/// A sensor that repeats itself says nothing, and whoever learns from it learns wrong. Once may be chance.
-template <class Ping>
-bool PingIntake<Ping>::is_frozen(Sensor& sensor, const Ping& ping) {
-  const std::size_t content = hash_of(content_of(ping));
-  const bool repeats = content != 0 && content == std::exchange(sensor.content, content);
-  if (repeats && worth_a_line(++counts_.repeated))
-    sink_.report(described(ping) + " repeats the one before to the bit: is the sensor frozen?" +
-                 so_far(counts_.repeated));
-  sensor.repeats = repeats ? sensor.repeats + 1 : 0;
-  return sensor.repeats > 1;
 }
 
 /// What the ping that would be accepted contradicts: its own geometry, or what is tracked.
@@ -293,18 +254,24 @@ std::string_view PingIntake<Ping>::contradiction(Sensor& sensor, const DroppedRe
                                                  const core::Pose2& T_earth_body) {
   const Ping& ping = ping_of(posed_);
   const auto all = static_cast<int>(num_returns(ping)) + dropped.out_of_bounds;
-  if (sensor.outside.contradict(dropped.out_of_bounds, all, ping.utime))
-    return "most of its returns suddenly lie outside of its beams or range: degrees, another unit?";
+  if (const auto reason = sensor.guards.contradiction(dropped, all, ping.utime); !reason.empty())
+    return reason;
   return sink_.doubt ? sink_.doubt(posed_, T_earth_body) : std::string_view();
+}
+
+/// Notes that a ping no longer waits.
+template <class Ping>
+void PingIntake<Ping>::leave(Sensor& sensor, const Ping& ping) {
+  sensor.guards.number_comes(ping.sequence);
+  handed_out_ = sensor.last_out = ping.utime;
 }
 
 template <class Ping>
 void PingIntake<Ping>::give_up_first(std::string_view reason) {
   const Ping ping = waiting_.take_first();
   Sensor& sensor = sensors_.at(ping.sensor_id);
-  count_sequence(sensor, ping.sequence);
-  handed_out_ = sensor.last_out = ping.utime;
-  reject(ping, reason, counts_.no_pose);
+  leave(sensor, ping);
+  reject(ping, reason, ledger_.counts.no_pose);
 }
 
 template <class Ping>
@@ -346,9 +313,9 @@ void PingIntake<Ping>::begin_new_clock(Sensor& first, std::int64_t utime) {
     sink_.report("the clock is back" + at_time(begin) + from + ": tracking goes on");
   } else {
     accepted_.reset();
-    ++counts_.resets;
+    ++ledger_.counts.resets;
     sink_.report("new clock" + at_time(begin) + from + ": tracking starts again, identities go on" +
-                 so_far(counts_.resets));
+                 so_far(ledger_.counts.resets));
     sink_.reset();
   }
   for (Sensor* sensor : on_it) release(*sensor);
@@ -369,9 +336,7 @@ void PingIntake<Ping>::forget_clock() {
   hold_.forget();
   for (auto& [id, sensor] : sensors_) {
     sensor.last_out.reset();
-    sensor.gaps.forget();
-    sensor.content = 0;
-    sensor.repeats = 0;
+    sensor.guards.begin_new_clock();
   }
 }
 
@@ -382,32 +347,16 @@ void PingIntake<Ping>::start_new_clock() {
   for (auto& [id, sensor] : sensors_) sensor.clock.forget();
   forget_clock();
   accepted_.reset();
-  ++counts_.resets;
+  ++ledger_.counts.resets;
   sink_.report("the recording goes on on a new clock: tracking starts again, identities go on" +
-               so_far(counts_.resets));
+               so_far(ledger_.counts.resets));
   sink_.reset();
 }
 
 template <class Ping>
-void PingIntake<Ping>::count_sequence(Sensor& sensor, std::int64_t sequence) {
-  using Step = core::SequenceGaps::Step;
-  const std::int64_t lost = sensor.gaps.lost(), restarts = sensor.gaps.restarts();
-  const Step step = sensor.gaps.add(sequence);
-  counts_.lost += sensor.gaps.lost() - lost;
-  counts_.restarts += sensor.gaps.restarts() - restarts;
-  if (step == Step::restart) ++counts_.backwards;
-  if (step == Step::gap && worth_a_line(++num_gaps_))
-    sink_.report("lost before sequence " + std::to_string(sequence) + so_far(counts_.lost));
-  if (step == Step::restart && worth_a_line(counts_.restarts))
-    sink_.report("sequence starts again at " + std::to_string(sequence) + so_far(counts_.restarts));
-}
-
-template <class Ping>
 void PingIntake<Ping>::refuse_out_of_time(Sensor& sensor, const Ping& ping, std::string_view reason) {
-  const std::int64_t lost = sensor.gaps.lost();
-  sensor.gaps.refused(ping.sequence);
-  counts_.lost += sensor.gaps.lost() - lost;
-  reject(ping, reason, counts_.out_of_time);
+  sensor.guards.number_is_refused(ping.sequence);
+  reject(ping, reason, ledger_.counts.out_of_time);
 }
 
 template <class Ping>

@@ -8,16 +8,14 @@
 #include <string_view>
 #include <vector>
 
-#include "core/sequence_gaps.hpp"
 #include "core/sonar_image.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
-#include "tracking/intake/fan_finder.hpp"
-#include "tracking/intake/outside_returns.hpp"
-#include "tracking/intake/ping_checks.hpp"
+#include "tracking/intake/clock_guard.hpp"
+#include "tracking/intake/intake_counts.hpp"
 #include "tracking/intake/pose_intake.hpp"
 #include "tracking/intake/reorder_hold.hpp"
-#include "tracking/intake/sender_guard.hpp"
+#include "tracking/intake/sensor_guards.hpp"
 #include "tracking/intake/waiting_pings.hpp"
 
 namespace lookout::tracking {
@@ -30,36 +28,6 @@ struct IntakeParams {
   std::size_t max_waiting = 1024;              ///< Pings that may wait at once, >= 1; with
   std::size_t max_waiting_bytes = 256U << 20;  ///< the room for their content they bound memory in a flood.
   ClockGuardParams clock;                      ///< `max_late` is taken from max_wait.
-};
-
-/// What became of everything that came in since the start: received = accepted + rejected() + shed + what
-/// still waits.
-struct IntakeCounts {
-  std::int64_t received = 0;         ///< Pings that came.
-  std::int64_t accepted = 0;         ///< Pings handed out.
-  std::int64_t no_pose = 0;          ///< Pings without vehicle states on either side.
-  std::int64_t damaged = 0;          ///< Pings with a damaged header or wrong sizes.
-  std::int64_t out_of_time = 0;      ///< Pings that repeat, come too late or leap ahead in time.
-  std::int64_t frozen = 0;           ///< Pings with the content of two before them, to the bit.
-  std::int64_t foreign = 0;          ///< Pings of another sender under the same sensor_id.
-  std::int64_t contradicting = 0;    ///< Pings that contradict their geometry or what is tracked.
-  std::int64_t shed = 0;             ///< Pings left out, unread, because newer ones waited.
-  std::int64_t lost = 0;             ///< Pings missing by their sensor's sequence: they never came.
-  std::int64_t restarts = 0;         ///< Times that a sequence went backwards.
-  std::int64_t backwards = 0;        ///< Numbers below the one before, single mistakes included.
-  std::int64_t resets = 0;           ///< New clocks.
-  std::int64_t returns = 0;          ///< Of accepted scans, those that are dropped below included.
-  std::int64_t silent_returns = 0;   ///< NaN, infinite or of range 0: silences, of accepted pings.
-  std::int64_t dropped_returns = 0;  ///< Returns out of bounds, of accepted pings.
-  std::int64_t repeated = 0;         ///< Pings with the content of the one before, to the bit.
-  std::int64_t other_geometry = 0;   ///< Accepted pings whose geometry is not the configured one.
-  std::int64_t states = 0;           ///< Vehicle states that came = accepted_states + bad_states + suspects.
-  std::int64_t accepted_states = 0;  ///< Vehicle states that are believed.
-  std::int64_t wide_headings = 0;    ///< Of believed states, headings beyond two turns: degrees?
-  std::int64_t bad_states = 0;       ///< Vehicle states damaged or out of time.
-
-  /// Pings that were not handed out.
-  std::int64_t rejected() const { return no_pose + damaged + out_of_time + frozen + foreign + contradicting; }
 };
 
 /// The posed form of a kind of ping.
@@ -112,25 +80,20 @@ class PingIntake {
   void finish();                ///< There is no more: what still waits for a pose will not get one.
   void start_new_clock();       ///< What comes now is on another clock, as who keeps a recording knows.
 
-  const IntakeCounts& counts() const { return counts_; }  ///< Since the start.
-  void forget_counts() { counts_ = {}; }                  ///< Counts from now on.
+  const IntakeCounts& counts() const { return ledger_.counts; }  ///< Since the start.
+  void forget_counts() { ledger_.counts = {}; }                  ///< Counts from now on.
   std::int64_t newest_utime() const;  ///< Of the data that was believed [us]; 0 before any.
 
  private:
   /// What is known of one sensor.
   struct Sensor {
     ClockGuard clock;
-    core::SequenceGaps gaps;
-    SenderGuard sender = {};
-    OutsideReturns outside = OutsideReturns();
+    SensorGuards guards;
     std::vector<Ping> held = {};  ///< Suspect, and each later than the one before.
     std::optional<std::int64_t> last_out = {};
-    std::optional<PingGeometry> geometry = {};
-    FanFinder fan = {};
-    std::size_t content = 0;  ///< Of the last ping, as a hash; 0 for too little to tell.
-    int repeats = 0;          ///< Pings in a row with that content, beyond the first.
   };
 
+  void watch_heading(const core::VehicleState& state);
   Sensor* sensor_of(const Ping& ping);
   void hold(Sensor& sensor, Ping ping);
   void release(Sensor& sensor);
@@ -139,17 +102,14 @@ class PingIntake {
   void bound_waiting();
   void hand_out_what_has_a_pose();
   void hand_out(const core::Pose2& T_earth_body);
-  bool is_frozen(Sensor& sensor, const Ping& ping);
   std::string_view contradiction(Sensor& sensor, const DroppedReturns& dropped,
                                  const core::Pose2& T_earth_body);
-  void look_at(Sensor& sensor, const Ping& ping);
-  DroppedReturns drop_returns_of(Sensor& sensor, Ping& ping);
+  void leave(Sensor& sensor, const Ping& ping);
   void give_up_first(std::string_view reason);
   std::string why_no_pose(std::int64_t utime) const;
   void begin_new_clock(Sensor& first, std::int64_t utime);
   bool is_back(std::int64_t begin, std::int64_t utime) const;
   void forget_clock();
-  void count_sequence(Sensor& sensor, std::int64_t sequence);
   void refuse_out_of_time(Sensor& sensor, const Ping& ping, std::string_view reason);
   void reject(const Ping& ping, std::string_view reason, std::int64_t& count);
 
@@ -164,8 +124,7 @@ class PingIntake {
   std::optional<std::int64_t> handed_out_;  ///< Time of the newest ping that has left [us].
   std::optional<std::int64_t> accepted_;    ///< Of those, of the newest that was accepted [us].
   Posed posed_;
-  IntakeCounts counts_;
-  std::int64_t num_gaps_ = 0;
+  IntakeLedger ledger_;
 };
 
 extern template class PingIntake<core::SonarScan>;

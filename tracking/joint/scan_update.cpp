@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "csht/joint/evidence/scan_information.hpp"
+#include "csht/joint/evidence/was_in_view.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -15,10 +16,19 @@ bool in_view(const Eigen::Vector2d& p_earth, const csht::ScanTable& scan) {
   return from.norm() <= scan.max_range && beam >= 0 && beam < scan.num_beams;
 }
 
-double share_in_view(const csht::TrajectoryCloud& cloud, const csht::ScanTable& scan) {
+// Whether a sonar that still looks has a place in view, each at its newest scan.
+bool in_view_of_any(const Eigen::Vector2d& p_earth, const TrackerState& state) {
+  const csht::ScanHistory& scans = state.scans();
+  const std::int64_t oldest = std::min(state.looks().oldest(), scans.newest().utime);
+  for (int age = 0; age < scans.size() && scans.at_age(age).utime >= oldest; ++age)
+    if (in_view(p_earth, scans.at_age(age))) return true;
+  return false;
+}
+
+double share_in_view(const csht::TrajectoryCloud& cloud, const TrackerState& state) {
   double share = 0.0;
   for (std::size_t i = 0; i < cloud.size(); ++i)
-    if (in_view({cloud.north[i], cloud.east[i]}, scan)) share += cloud.weight[i];
+    if (in_view_of_any({cloud.north[i], cloud.east[i]}, state)) share += cloud.weight[i];
   return share;
 }
 
@@ -91,13 +101,15 @@ void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
   track.moments = track.cloud.moments();
 }
 
-// Whether a density drawn anew leads out of view a track that was in view. Nothing speaks against the
-// trajectories there: they are those of targets that were never heard, and there is no end to them.
+// Whether a density drawn anew leads out of view of all sonars a track that was in view of one, though the
+// newest scan may be another's, or to where none ever had a view. Nothing speaks against the trajectories
+// there: they are those of targets that were never heard, and there is no end to them.
 bool ScanUpdate::leads_away(const csht::TrajectoryCloud& drawn, const csht::TargetTrack& track,
                             const TrackerState& state) const {
-  const csht::ScanTable& newest = state.scans().newest();
-  return share_in_view(drawn, newest) < life_.in_view_share &&
-         share_in_view(track.cloud, newest) >= life_.in_view_share;
+  if (share_in_view(drawn, state) >= life_.in_view_share) return false;
+  const int oldest = csht::memory_of(track, state.scans(), memory_).oldest;
+  return share_in_view(track.cloud, state) >= life_.in_view_share ||
+         !csht::was_in_view(drawn.moments(), state.scans(), oldest);
 }
 
 // Draws the cloud anew under the likelihood of the scans that the track remembers: settled tracks by moving

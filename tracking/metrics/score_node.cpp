@@ -26,10 +26,13 @@ std::optional<Entry> take_match(std::deque<Entry>& waiting, const Matches& match
   return entry;
 }
 
+/// @return how many are given up for it.
 template <class Entry>
-void keep(std::deque<Entry>& waiting, Entry entry) {
+std::int64_t keep(std::deque<Entry>& waiting, Entry entry) {
   waiting.push_back(std::move(entry));
-  if (waiting.size() > kMaxWaiting) waiting.pop_front();
+  if (waiting.size() <= kMaxWaiting) return 0;
+  waiting.pop_front();
+  return 1;
 }
 
 }  // namespace
@@ -59,7 +62,7 @@ void ScoreNode::take(core::GroundTruth truth) {
     return same_time(waiting.key.utime, truth.utime);
   });
   if (tracks) return score(truth, *tracks);
-  keep(waiting_truth_, std::move(truth));
+  given_up_ += keep(waiting_truth_, std::move(truth));
 }
 
 void ScoreNode::take(lcmtypes::KeyedTracks tracks) {
@@ -68,7 +71,7 @@ void ScoreNode::take(lcmtypes::KeyedTracks tracks) {
     return same_time(waiting.utime, tracks.key.utime);
   });
   if (truth) return score(*truth, tracks);
-  keep(waiting_tracks_, std::move(tracks));
+  given_up_ += keep(waiting_tracks_, std::move(tracks));
 }
 
 void ScoreNode::score(const core::GroundTruth& truth, const lcmtypes::KeyedTracks& tracks) {
@@ -91,8 +94,10 @@ void ScoreNode::score(const core::GroundTruth& truth, const lcmtypes::KeyedTrack
 
 void ScoreNode::publish_status() {
   const auto lost = bus_.inbox().counts(tracks_channel_).lost;
-  status_.publish({newest_utime_, scorer_.num_scans(), bus_.inbox().bad_messages(), lost},
-                  bus_.inbox().last_error());
+  std::string trouble = bus_.inbox().last_error();
+  if (trouble.empty() && given_up_ > 0)
+    trouble = std::to_string(given_up_) + " truths and track lists given up: nothing came at their times";
+  status_.publish({newest_utime_, scorer_.num_scans(), bus_.inbox().bad_messages(), lost}, trouble);
 }
 
 }  // namespace lookout::tracking

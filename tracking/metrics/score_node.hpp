@@ -51,6 +51,7 @@ class ScoreNode {
   std::int64_t truths_ = 0;
   std::int64_t tracks_ = 0;
   std::int64_t newest_utime_ = 0;
+  std::int64_t given_up_ = 0;  ///< Truths and lists whose other half did not come.
 };
 
 }  // namespace lookout::tracking

@@ -35,8 +35,8 @@ void DetectorNode::run(const lcmtypes::LoopLimits& limits) {
 
 void DetectorNode::take(const core::SonarImage& image) {
   const auto arrival = lcmtypes::NodeLoop::Clock::now();
-  count_sequence(image);
   const core::SonarScan* scan = detector_.detect(image);
+  count_sequence(image);
   if (scan == nullptr) return;
   newest_utime_ = std::max(newest_utime_, image.utime);
   bus_.publish(channels_.sonar_scan(), lcmtypes::to_wire(*scan));
@@ -45,6 +45,7 @@ void DetectorNode::take(const core::SonarImage& image) {
 }
 
 void DetectorNode::count_sequence(const core::SonarImage& image) {
+  if (gaps_.size() >= StreamDetector::kMostSonars && !gaps_.contains(image.sensor_id)) return;
   core::SequenceGaps& gaps = gaps_[image.sensor_id];
   const std::int64_t before = gaps.lost();
   gaps.add(image.sequence);

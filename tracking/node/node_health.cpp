@@ -48,6 +48,7 @@ HealthSample NodeHealth::change() const {
   recent.dropped_returns -= oldest.dropped_returns;
   recent.contradicting -= oldest.contradicting;
   recent.repeated -= oldest.repeated;
+  recent.off_pace -= oldest.off_pace;
   recent.wide_headings -= oldest.wide_headings;
   recent.twins -= oldest.twins;
   return recent;
@@ -100,6 +101,9 @@ void NodeHealth::judge_content(const HealthSample& recent) {
   if (recent.contradicting > 0)
     blame(NodeState::degraded,
           "implausible: scans contradict their geometry or what is tracked: degrees, another unit, a sign?");
+  if (recent.off_pace > 0)
+    blame(NodeState::degraded,
+          "implausible: scans follow each other at no sonar's pace: milliseconds for microseconds?");
   if (recent.wide_headings > 0)
     blame(NodeState::degraded, "implausible: the vehicle's heading is beyond two turns: degrees?");
   if (recent.miss_probability > kMostMissed)

@@ -21,6 +21,7 @@ struct HealthSample {
   std::int64_t dropped_returns = 0;  ///< Of those, out of bounds.
   std::int64_t contradicting = 0;    ///< Pings refused for what they contradict.
   std::int64_t repeated = 0;         ///< Pings with the content of the one before.
+  std::int64_t off_pace = 0;         ///< Pings a hundred times too fast or slow by their stamps.
   std::int64_t wide_headings = 0;    ///< Vehicle states with a heading beyond two turns.
   std::int64_t twins = 0;            ///< Statuses of another tracker with our channel and node id.
   double miss_probability = 0.0;     ///< The newest that was learnt, not since the start; 0: nothing learnt.

@@ -146,6 +146,7 @@ void ChainNode<Chain>::publish_status() {
   sample.dropped_returns = counts.dropped_returns;
   sample.repeated = counts.repeated;
   sample.contradicting = counts.contradicting;
+  sample.off_pace = counts.off_pace;
   sample.wide_headings = counts.wide_headings;
   sample.restarts = counts.backwards + counts.foreign;
   node_.publish_status(figures(), sample);

@@ -52,6 +52,14 @@ TEST(GreyImage, ReadsEightBitsPlainTextAndComments) {
   EXPECT_EQ(read_pgm(directory.path() + "/b.pgm").pixels, (std::vector<double>{12, 299}));
 }
 
+TEST(GreyImage, AHeaderInLinesOfCrLfIsNoPixel) {
+  const tests::TemporaryDirectory directory;
+  write(directory.file("a.pgm"), "P5\r\n2 1\r\n255\r\n\x05\x07");
+  EXPECT_EQ(read_pgm(directory.file("a.pgm")).pixels, (std::vector<double>{5, 7}));
+  write(directory.file("b.pgm"), "P5\r\n2 1\r\n255\r\x0a\x07");  // Ended by CR: the first pixel is 10.
+  EXPECT_EQ(read_pgm(directory.file("b.pgm")).pixels, (std::vector<double>{10, 7}));
+}
+
 // Weights of [Pakfiliz2018] Eq. (1): red 255 is 76.2, and a grey colour its own level within their sum,
 // .9999.
 TEST(GreyImage, ColoursBecomeGrey) {

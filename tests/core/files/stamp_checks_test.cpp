@@ -63,6 +63,10 @@ TEST(StampChecks, TimesOfSixDigitsAreRefused) {
 TEST(StampChecks, WholeSecondsUnderAShorterStatedPeriodAreNoted) {
   StampedRecording recording("0,.1,5,1\n0,.2,5,1\n1,.1,5,1\n2,.1,5,1\n");
   EXPECT_EQ(recording.notes(), "");  // A period of one second is as likely.
+  recording.state_period("1");
+  EXPECT_EQ(recording.notes(), "");
+  recording.state_period("0.7");  // Pings at 0, .7, 1.4, 2.1 s, two of them merged.
+  EXPECT_NE(recording.notes().find("states scan_period 0.7 s"), std::string::npos);
   recording.state_period("0.25");
   EXPECT_NE(recording.notes().find("whole multiples of 1 s, but sonar.yaml states scan_period 0.25 s"),
             std::string::npos);

@@ -33,5 +33,20 @@ TEST(LogTables, AreTheRecordingAndTheTracksWithTheirCovariance) {
   EXPECT_THROW(write_log_tables(directory.file("log"), "AUV1_", directory.path()), core::InputError);
 }
 
+TEST(LogTables, TellWhatIsNotInThem) {
+  const tests::TemporaryDirectory directory;
+  {
+    lcm::LogFile file(directory.file("log"), "w");
+    const auto state = lcmtypes::to_wire(tests::example_state());
+    for (const char* channel : {"VEHICLE_STATE", "VEHICLE_STATE", "OSPA", "TRACKS"})
+      tests::log_message(file, channel, state);
+  }
+  const std::vector<std::string> expected{
+      "OSPA: 1 messages refused: not one whole message of its type",
+      "TRACKS: 1 messages refused: not one whole message of its type",
+      "VEHICLE_STATE: 1 states that are not later than all before them are left out"};
+  EXPECT_EQ(write_log_tables(directory.file("log"), "", directory.path()), expected);
+}
+
 }  // namespace
 }  // namespace lookout::tools

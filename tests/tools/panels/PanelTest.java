@@ -294,6 +294,19 @@ public final class PanelTest {
         close();
     }
 
+    /** Whether a line of LivePanel.DAMAGED stands in the lower left corner; its letters are smoothed. */
+    private static boolean saysDamaged(BufferedImage image) {
+        for (int y = image.getHeight() - 24; y < image.getHeight(); y++) {
+            for (int x = 0; x < 100; x++) {
+                Color at = new Color(image.getRGB(x, y));
+                if (at.getRed() > 180 && at.getGreen() < 150) {
+                    return true;
+                }
+            }
+        }
+        return false;
+    }
+
     private static void testStatus() throws Exception {
         LivePanel panel = open(new StatusPlugin(), "LOOKOUT_STATUS", node_status_t.LCM_FINGERPRINT);
         node_status_t status = new node_status_t();
@@ -309,7 +322,8 @@ public final class PanelTest {
         LCM.getSingleton().publish("LOOKOUT_STATUS", new byte[] {1, 2, 3}, 0, 3);
         Thread.sleep(3200);
         check(has(look(panel, "status_bad"), 15, 12, 2, StatusPanel.BAD), "red where it is silent");
-        check(panel.damaged() == 1, "a damaged message is passed by");
+        check(panel.damaged() == 1, "a damaged message is passed by and counted");
+        check(saysDamaged(look(panel, "status_damaged")), "and the panel says so");
         close();
     }
 }

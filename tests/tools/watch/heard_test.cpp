@@ -42,7 +42,22 @@ TEST(Heard, TellsWhatIsNewAndCountsWhatIsDamaged) {
   say(heard, "GROUND_TRUTH", lcmtypes::to_wire(tests::example_truth()));
   heard.take("AUV1_LOOKOUT_STATUS", std::vector<std::uint8_t>(30, 0), at_second(0.0));
   EXPECT_EQ(news, std::vector<Topic>{Topic::truth});
-  EXPECT_EQ(heard.channel(Topic::status).counts.handler_errors, 1);
+  EXPECT_EQ(heard.channel(Topic::status).counts.undecodable, 1);
+}
+
+TEST(Heard, KeepsDecisionsAndCountsDamagedOnes) {
+  std::vector<Topic> news;
+  Heard heard("", [&news](Topic topic) { news.push_back(topic); });
+  say(heard, "DECISIONS", lcmtypes::to_wire(lcmtypes::DecisionReport{5, 6, 7, "1 s track 3: confirmed\n"}));
+  heard.take("DECISIONS", std::vector<std::uint8_t>(30, 0), at_second(0.0));
+  EXPECT_EQ(news, std::vector<Topic>{Topic::decisions});
+  ASSERT_TRUE(heard.newest().decisions);
+  EXPECT_EQ(heard.newest().decisions->source_id, 7);
+  const auto counts = heard.channel(Topic::decisions).counts;
+  EXPECT_EQ(counts.received, 2);
+  EXPECT_EQ(counts.undecodable, 1);
+  EXPECT_EQ(heard.inbox().bad_messages(), 1);
+  EXPECT_EQ(heard.inbox().last_error(), "DECISIONS: not one whole message of its type");
 }
 
 TEST(Heard, KeepsTheNewestClutterMapWhichHasNoLosses) {

@@ -64,6 +64,29 @@ TEST(LogFrames, TakesScansWhereNobodyTracked) {
   EXPECT_EQ(frames.trails(4).size(), 0u);
 }
 
+TEST(LogFrames, HandsDecisionsOnAndCountsWhatIsDamagedOnAnyChannel) {
+  const tests::TemporaryDirectory directory;
+  const std::string path = write_log(directory.file("log"), 3, true);
+  {
+    lcm::LogFile file(path, "a");
+    const auto decisions = lcmtypes::to_wire(lcmtypes::DecisionReport{5, 6, 7, "1 s track 3: confirmed\n"});
+    tests::log_message(file, "DECISIONS", decisions);
+    tests::log_message(file, "DECISIONS", lcmtypes::to_wire(tests::example_state()));
+    tests::log_message(file, "SONAR_SCAN", decisions);
+    tests::log_message(file, "OSPA", decisions);
+    tests::log_message(file, "TRACKS", decisions);  // No frame of its own.
+  }
+  std::string told;
+  const LogFrames frames(path, "", [&](const lcmtypes::DecisionReport& report) { told += report.text; });
+  EXPECT_EQ(told, "1 s track 3: confirmed\n");
+  EXPECT_EQ(frames.size(), 3u);
+  ASSERT_EQ(frames.refusals().size(), 4u);
+  for (const auto& refusal : frames.refusals()) {
+    EXPECT_EQ(refusal.count, 1) << refusal.channel;
+    EXPECT_EQ(refusal.reason, "not one whole message of its type");
+  }
+}
+
 TEST(LogFrames, RefusesWhatIsNoLogOfOurs) {
   const tests::TemporaryDirectory directory;
   const std::string path = write_log(directory.file("log"), 3, true);

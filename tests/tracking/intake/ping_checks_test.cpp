@@ -46,6 +46,8 @@ TEST(PingChecks, NameTheDefectOfAScan) {
   EXPECT_EQ(broken([](auto& s) { s.bearing_step = kNan; }), "bearings out of range");
   EXPECT_EQ(broken([](auto& s) { s.num_beams = 100; }), "bearings out of range");  // 10 rad in all.
   EXPECT_EQ(broken([](auto& s) { s.max_range = 1e300; }), "maximum range out of range");
+  EXPECT_EQ(broken([](auto& s) { s.max_range = 0.05; }),
+            "maximum range out of range");  // Nor in a sonar.yaml.
   EXPECT_EQ(broken([](auto& s) { s.T_body_sonar.heading = kNan; }), "mount out of range");
   EXPECT_EQ(broken([](auto& s) { s.returns[0].range = kNan; }), "");  // A silence.
 }

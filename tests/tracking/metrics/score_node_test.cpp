@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "lcmtypes/convert_reports.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -43,6 +45,20 @@ TEST_F(ScoreNodeTest, LeavesOutWhatHasNoOtherHalf) {
   EXPECT_EQ(node_.scorer().num_scans(), 0);
   EXPECT_EQ(node_.truths(), 1);
   EXPECT_EQ(node_.tracks(), 1);
+}
+
+// A thousand may wait for their other half; what goes for those behind them is told.
+TEST_F(ScoreNodeTest, TellsWhatItGivesUp) {
+  std::string told;
+  bus_.subscribe_read("LOOKOUT_STATUS", &lcmtypes::read_node_status,
+                      [&](const lcmtypes::NodeStatus& status) { told = status.last_error; });
+  for (int i = 0; i < 1005; ++i) {
+    truth(1000L * i);
+    bus_.drain();
+  }
+  node_.run({.idle_exit = 0.05});
+  bus_.drain();
+  EXPECT_EQ(told, "5 truths and track lists given up: nothing came at their times");
 }
 
 TEST_F(ScoreNodeTest, PublishesTheScoreOfEachScan) {

@@ -86,6 +86,10 @@ TEST_F(NodeHealthTest, FindsReturnsAndFiguresImplausible) {
   seconds(1);
   EXPECT_NE(health_.text().find("implausible: scans contradict"), std::string::npos);
   seconds(10);
+  sample_.off_pace += 1;
+  seconds(1);
+  EXPECT_NE(health_.text().find("no sonar's pace: milliseconds for microseconds?"), std::string::npos);
+  seconds(10);
   sample_.wide_headings += 1;
   seconds(1);
   EXPECT_NE(health_.text().find("degrees?"), std::string::npos);
