@@ -1,6 +1,7 @@
 #include "csht/likelihood/clutter_map.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -16,8 +17,13 @@ constexpr double kClear = 0.5;
 // A kernel's counts are no Poisson numbers: divided by this, the mean of its squares over its mean, their
 // variance equals their mean. Of a triangle it is 2/3, of a product of two 4/9.
 constexpr double kTriangle = 2.0 / 3.0;
-// Standing things are often sharper than the sonar's error: the earth's kernel has a second, finer one in it.
+// Standing things are often sharper than the sonar's error: the earth's kernel has finer ones in it.
 constexpr double kFine = 1.0 / 3.0;
+// From so many returns on they may lie on a line, which is as steep as this at most, in metres down for one
+// across.
+constexpr double kLine = 3.0, kSteepest = 6.0;
+constexpr double kLines = 0.5;  // Share of what stands that is a line.
+constexpr float kListened = 0.5F;
 constexpr double kCorners = 0.25;  // Share of what is dense that lies at its corners.
 
 // A triangle of height 1 and half width 1.
@@ -114,8 +120,9 @@ ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& 
   counted_.reserve(memory_.most_looks());
 }
 
+// A scan that was more probably lost on its way than heard is no look: its empty places tell nothing.
 void ClutterMap::add(const ScanTable& scan) {
-  if (memory_.add(scan)) find_typical_rate(scan);
+  if (scan.listened >= kListened && memory_.add(scan)) find_typical_rate(scan);
 }
 
 void ClutterMap::find_typical_rate(const ScanTable& scan) {
@@ -247,33 +254,63 @@ Excess ClutterMap::spot_excess(const ScanTable& scan, const SeenPlace& place, do
   return excess(scale * count, scale * looks * across * along * per_cell, sonar_prior());
 }
 
-Excess ClutterMap::earth_excess(const ScanTable& scan, const SeenPlace& place, double rate) const {
-  const Eigen::Vector2d along =
-      (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized();
-  const double cross_reach =
-      std::max(params_.earth_beams * scan.width_at(place.beam) * place.range, 0.25 * range_reach_);
-  const double box_north = std::abs(along.x()) * range_reach_ + std::abs(along.y()) * cross_reach;
-  const double box_east = std::abs(along.y()) * range_reach_ + std::abs(along.x()) * cross_reach;
-  double count = 0.0, fine = 0.0;
-  memory_.earth().visit(place.p_earth.x(), place.p_earth.y(), box_north, box_east, [&](const BinnedPoint& p) {
+// Calls `use` with each counted return of the earth within a box along a line of sight, and with where it is:
+// from the place along that line and across it [m].
+template <class Use>
+void ClutterMap::visit_earth(const SeenPlace& place, const EarthBox& box, const Use& use) const {
+  const Eigen::Vector2d& along = box.along;
+  const double north = std::abs(along.x()) * box.down + std::abs(along.y()) * box.across;
+  const double east = std::abs(along.y()) * box.down + std::abs(along.x()) * box.across;
+  memory_.earth().visit(place.p_earth.x(), place.p_earth.y(), north, east, [&](const BinnedPoint& p) {
     if (!counts(p)) return;
     const double dn = static_cast<double>(p.x) - place.p_earth.x();
     const double de = static_cast<double>(p.y) - place.p_earth.y();
-    const double down = (dn * along.x() + de * along.y()) / range_reach_;
-    const double weight =
-        static_cast<double>(p.weight) * triangle((de * along.x() - dn * along.y()) / cross_reach);
-    count += weight * triangle(down);
-    fine += weight * triangle(down / kFine);
+    use(static_cast<double>(p.weight), dn * along.x() + de * along.y(), de * along.x() - dn * along.y());
   });
-  if (count <= 0.0) return {};
-  const double beams = cross_reach / (scan.width_at(place.beam) * place.range);
-  const double per_look = rate / scan.num_beams * beams * range_reach_ / scan.max_range;
+}
+
+// Counts of the earth's kernels around a place.
+ClutterMap::EarthCounts ClutterMap::count_in_earth(const SeenPlace& place, const EarthBox& box) const {
+  EarthCounts counts;
+  double squares = 0.0, products = 0.0;
+  visit_earth(place, box, [&](double weight, double down, double across) {
+    const double beside = weight * triangle(across / box.across), wide = beside * triangle(down / box.down);
+    counts.wide += wide;
+    counts.thin += beside * triangle(down / (kFine * box.down));
+    squares += wide * across * across;
+    products += wide * across * down;
+  });
+  if (counts.wide < kLine || squares <= 0.0) return counts;
+  const double slope = std::clamp(products / squares, -kSteepest, kSteepest);
+  EarthBox slanting = box;
+  slanting.down = std::abs(slope) * box.across + kFine * box.down;
+  visit_earth(place, slanting, [&](double weight, double down, double across) {
+    counts.line +=
+        weight * triangle(across / box.across) * triangle((down - slope * across) / (kFine * box.down));
+  });
+  return counts;
+}
+
+// The densest of the kernels counts.
+Excess ClutterMap::earth_excess(const ScanTable& scan, const SeenPlace& place, double rate) const {
+  const double beam = scan.width_at(place.beam) * place.range;
+  const EarthBox box{
+      (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized(),
+      range_reach_, std::max(params_.earth_beams * beam, 0.25 * range_reach_)};
+  const EarthCounts counts = count_in_earth(place, box);
+  if (counts.wide <= 0.0) return {};
+  const double per_look = rate / scan.num_beams * box.across / beam * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
   const double expected = scale * views_of(place) * per_look;
   const ExcessPrior prior = earth_prior();
-  const Excess wide = excess(scale * count, expected, prior);
-  const Excess sharp = excess(scale * fine, kFine * expected, prior);
-  return sharp.density() > wide.density() ? sharp : wide;
+  ExcessPrior line = prior;
+  line.share *= kLines;
+  const std::array excesses{excess(scale * counts.wide, expected, prior),
+                            excess(scale * counts.thin, kFine * expected, prior),
+                            excess(scale * counts.line, kFine * expected, line)};
+  return *std::max_element(excesses.begin(), excesses.end(), [](const Excess& one, const Excess& other) {
+    return one.density() < other.density();
+  });
 }
 
 ExcessPrior ClutterMap::sonar_prior() const {

@@ -95,6 +95,17 @@ class ClutterMap {
   bool counts(const BinnedPoint& p) const { return counted_[memory_.index_of(p)] != 0; }
   Excess spot_excess(const ScanTable& scan, const SeenPlace& place, double rate,
                      std::int64_t leave_out_us) const;
+  struct EarthBox {  // Around a place: the line of sight, and half its length and width [m].
+    Eigen::Vector2d along;
+    double down = 0.0, across = 0.0;
+  };
+  struct EarthCounts {  // Kernels of the whole length, of a third of it, and of a third about the line of the
+                        // returns.
+    double wide = 0.0, thin = 0.0, line = 0.0;
+  };
+  template <class Use>
+  void visit_earth(const SeenPlace& place, const EarthBox& box, const Use& use) const;
+  EarthCounts count_in_earth(const SeenPlace& place, const EarthBox& box) const;
   Excess earth_excess(const ScanTable& scan, const SeenPlace& place, double rate) const;
   double background_at(const ScanTable& scan, const SeenPlace& place, double rate) const;
   Excess frame_excess(const ScanTable& scan, const SeenPlace& place, double rate, bool corners) const;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -72,8 +73,9 @@ TEST(ClutterMap, PricesAPatchThatMovesWithTheSonar) {
   const float inside = background_of(in_beam(55, 75.0), 55, 32.0, map, history);
   EXPECT_NEAR(1.0 / static_cast<double>(inside), 1.0 + 50.0, 20.0);  // (1/30) / (0.1/150).
   double outside = 0.0;
-  for (int beam = 0; beam < 40; ++beam)
-    outside += static_cast<double>(background_of(in_beam(beam, 75.0), beam, 32.0, map, history)) / 40.0;
+  for (const double range : {45.0, 75.0, 105.0})
+    for (int beam = 0; beam < 40; ++beam)
+      outside += static_cast<double>(background_of(in_beam(beam, range), beam, 32.0, map, history)) / 120.0;
   EXPECT_GT(outside, 0.8);  // Elsewhere a few places look dense by chance.
 }
 
@@ -111,9 +113,60 @@ TEST(ClutterMap, ReturnsThatATargetTookAreNotCounted) {
       own.push_back(detection.beam == 45 && detection.range == 70.0 ? 1.0 : 0.0);
     map.discount(scan, own, kRate);
   }
-  history.push(posed_scan({}, 500'000L * kScans));
+  history.push(posed_scan({in_beam(0, 20.0)}, 500'000L * kScans));
   map.add(history.newest());
   EXPECT_GT(background_of(in_beam(45, 70.0), 45, 0.0, map, history), 0.3F);
+}
+
+// A wall 15 m to starboard, sharper than the sonar's error and met at a slant: beam by beam it is 4 to 13 m
+// farther off.
+std::vector<core::SonarReturn> wall_at(core::Random& random) {
+  std::vector<core::SonarReturn> returns;
+  for (int beam = 57; beam < 90; ++beam) {
+    const double range = 25.0 / std::sin(core::radians(-44.5 + beam));
+    if (random.bernoulli(0.8)) returns.push_back(in_beam(beam, range + random.gaussian(1.0)));
+  }
+  return returns;
+}
+
+// Where beams meet it at less than 20 degrees, one beam to the next is 3 to 13 m. Returns of .8 a beam with 1
+// m of noise make .8 / (2 sqrt(pi)) = .23 a metre on average over themselves, where the background makes .1 /
+// 150.
+TEST(ClutterMap, AWallThatIsMetAtASlantIsAsDenseAsItIs) {
+  core::Random random(9);
+  ScanHistory history({}, {}, 2);
+  const ClutterMap map = taught(0.8, history, [&](int, double) { return wall_at(random); });
+  history.push(posed_scan(wall_at(random), 500'000L * kScans, {0.4 * kScans, 0.0, 0.0}));
+  std::vector<float> background(history.newest().background.size());
+  map.price(history.newest(), kRate, background);
+  double sum = 0.0, slanting = 0.0;
+  for (const core::Detection& detection : history.newest().detections) {
+    if (detection.beam > 64) continue;
+    sum += 1.0 / static_cast<double>(background[static_cast<std::size_t>(detection.beam) + 1]);
+    slanting += 1.0;
+  }
+  const double density = sum / slanting * 0.1 / 150.0;
+  EXPECT_GT(density, 0.5 * 0.23);
+  EXPECT_LT(density, 1.5 * 0.23);
+}
+
+// Every second scan is lost on its way: the rest is as dense as before.
+TEST(ClutterMap, ALostScanIsNoLook) {
+  const auto patch_price = [](bool lose) {
+    core::Random random(9);
+    ScanHistory history({}, {}, 2);
+    ClutterMap map({}, core::SonarParams{});
+    for (int k = 0; k < kScans; ++k) {
+      std::vector<core::SonarReturn> patch;
+      for (int beam = 50; beam < 60; ++beam) patch.push_back(in_beam(beam, random.uniform(60.0, 90.0)));
+      if (lose && k % 2 == 1) patch.clear();
+      history.push(posed_scan(patch, 500'000L * k));
+      map.learn(history.newest(), std::vector<double>(patch.size()), kRate);
+      map.add(history.newest());
+    }
+    return static_cast<double>(background_of(in_beam(55, 75.0), 55, 0.0, map, history));
+  };
+  EXPECT_NEAR(patch_price(true) / patch_price(false), 1.0, 0.25);  // 1.9 if the lost ones counted.
 }
 
 template <class Value>
