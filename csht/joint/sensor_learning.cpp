@@ -17,14 +17,14 @@ void resample(const TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector
 }
 
 SensorLearning::SensorLearning(const SensorLearningParams& params, const core::SonarParams& sonar)
-    : params_(params), figures_({}, sonar) {}
+    : params_(params), least_speed_(params.least_speed * sonar.max_speed), figures_({}, sonar) {}
 
 void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
   targets_.clear();
   for (const TargetTrack& track : tracks) {
     if (!track.used || track.cloud.motion == Motion::constant_acceleration ||
-        track.existence() < params_.least_existence)
+        track.existence() < params_.least_existence || !moves(track))
       continue;
     if (samples_.size() == targets_.size())
       samples_.emplace_back().reserve(static_cast<std::size_t>(params_.target_samples));
@@ -35,6 +35,12 @@ void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& 
   }
   figures_.update(scans, targets_);
   if (changed(scans.figures())) likelihood.set_figures(figures_.figures());
+}
+
+bool SensorLearning::moves(const TargetTrack& track) const {
+  const double speed = track.moments.mean.segment<2>(2).norm();
+  const double sigma = std::sqrt(0.5 * (track.moments.covariance(2, 2) + track.moments.covariance(3, 3)));
+  return speed > least_speed_ + sigma;
 }
 
 bool SensorLearning::changed(const SensorFigures& before) const {

@@ -12,7 +12,7 @@
 namespace lookout::csht {
 
 /// Learns the sensor's figures: P_F from beams that no track owns, P_M and sigma from tracks that probably
-/// exist and do not accelerate.
+/// exist, move over ground and do not accelerate.
 class SensorLearning {
  public:
   /// @param params validated. @param sonar its figures, where given, are used until the scans contradict
@@ -28,9 +28,11 @@ class SensorLearning {
   core::SensorEstimate estimate() const { return figures_.estimate(); }
 
  private:
+  bool moves(const TargetTrack& track) const;
   bool changed(const SensorFigures& before) const;
 
   SensorLearningParams params_;
+  double least_speed_;  ///< [m/s].
   SensorFigureEstimator figures_;
   std::vector<std::vector<Eigen::Vector4d>> samples_;
   std::vector<KnownTarget> targets_;

@@ -77,6 +77,7 @@ void validate(const SensorLearningParams& p) {
   core::require(p.target_samples >= 1, "target_samples must be >= 1", p.target_samples);
   core::require(p.least_existence >= 0.0 && p.least_existence <= 1.0, "least_existence must be in [0, 1]",
                 p.least_existence);
+  core::require(p.least_speed >= 0.0, "least_speed must be >= 0", p.least_speed);
 }
 
 void validate(const ClutterLearningParams& p) {

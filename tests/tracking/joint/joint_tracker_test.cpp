@@ -101,14 +101,19 @@ TEST(JointTracker, SameSeedSameTracks) {
   }
 }
 
-// Four targets appear in view in the 20th scan and never miss a detection. Were they held against the scans
-// before, each would have missed ten.
+// Four targets, which move north, appear in view in the 20th scan and never miss a detection. Were they held
+// against the scans before, each would have missed ten: (20 + 40) / (40 + 40 + 120), with 40 trials of one
+// half.
 TEST(JointTracker, TargetsThatAppearInViewAreNoMissesOfTheScansBefore) {
   const std::vector<Eigen::Vector2d> four{{60, 20}, {90, -40}, {40, 0}, {110, 30}};
   ScanPipeline tracker = joint_pipeline({});
   PingResult result;
-  for (int k = 0; k < 40; ++k)
-    result = tracker.step(scan_of(k, k < 20 ? std::vector<Eigen::Vector2d>{} : four));
+  for (int k = 0; k < 60; ++k) {
+    std::vector<Eigen::Vector2d> seen;
+    if (k >= 20)
+      for (const Eigen::Vector2d& target : four) seen.emplace_back(target.x() + 0.4 * (k - 20), target.y());
+    result = tracker.step(scan_of(k, seen));
+  }
   EXPECT_LT(result.sensor_estimate->miss_probability, 0.2);
 }
 
