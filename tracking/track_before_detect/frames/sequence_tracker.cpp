@@ -42,7 +42,7 @@ CellTrackerParams pixel_tracker_params(const TbdParams& params) {
   cells.scales.same_on_both_axes = true;
   cells.existence.confirm_existence = kConfirmExistence;
   cells.existence.birth_expectation = kBirthExpectation;
-  cells.existence.births_per_frame = kBirthsPerFrame;
+  cells.existence.births_per_frame = cells.existence.birth_rate = kBirthsPerFrame;
   cells.existence.min_age = kMinAge;
   cells.existence.merge_distance = sigma;
   cells.existence.birth_distance = kGateSigmas * sigma;

@@ -66,9 +66,11 @@ double CellEvidence::mean_ratio(const ScaleSpace& scales, const CellTrack& track
   return sum;
 }
 
-double CellEvidence::first_existence(const ScaleSpace& scales, const Candidate& candidate) const {
+double CellEvidence::first_existence(const ScaleSpace& scales, const Candidate& candidate,
+                                     double step) const {
   const TailLaw& tail = scales.scales()[static_cast<std::size_t>(candidate.scale)].tail;
-  const double prior = params_.births_per_frame / std::max(1.0, static_cast<double>(tail.blocks()));
+  const double births = std::min(params_.births_per_frame, params_.birth_rate * step);
+  const double prior = births / std::max(1.0, static_cast<double>(tail.blocks()));
   const double choices = std::log(static_cast<double>(scales.scales().size()));
   return probability_of(prior * std::exp(log_ratio(candidate.log_probability + choices)));
 }

@@ -26,7 +26,8 @@ class CellEvidence {
   double likelihood_ratio(const ScaleSpace& scales, const CellGeometry& geometry, const CellTrack& track,
                           const Eigen::Vector2d& start) const;
   /// Existence of a new track whose block is so probable without a target.
-  double first_existence(const ScaleSpace& scales, const Candidate& candidate) const;
+  /// @param step since the last frame [s], > 0; infinite at the first.
+  double first_existence(const ScaleSpace& scales, const Candidate& candidate, double step) const;
   /// Bayes' rule. A place may be bright because of a neighbouring target: where the frame held nothing of
   /// the track's own signature, that is the least of ratios.
   void judge_existence(CellTrack& track, double ratio, double time) const;

@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/constant_velocity.hpp"
 
@@ -53,10 +54,13 @@ const std::vector<CellTrack>& CellTracker::update(const IntensityFrame& frame, c
 void CellTracker::reset() {
   tracks_.clear();
   standing_.reset();
+  started_ = false;
 }
 
 void CellTracker::predict(double time) {
   const double step = time - last_time_;
+  step_ = started_ ? step : std::numeric_limits<double>::infinity();
+  started_ = true;
   last_time_ = time;
   if (tracks_.empty()) return;
   const Eigen::Matrix4d F = core::constant_velocity_transition(step);
@@ -207,7 +211,7 @@ CellTrack CellTracker::new_track(const CellGeometry& geometry, const Candidate& 
   const double speed = params_.motion.start_speed_sigma;
   track.covariance(2, 2) = track.covariance(3, 3) = speed * speed;
   track.error = track.covariance;
-  track.existence = evidence_.first_existence(scales_, candidate);
+  track.existence = evidence_.first_existence(scales_, candidate, step_);
   track.least_existence = kLosing * track.existence;
   track.moving_odds = standing_.first_odds(scales_, geometry, candidate);
   track.signature = sigma.cwiseProduct(geometry.cell_size());

@@ -63,6 +63,8 @@ class CellTracker : public CellTargetTracker {
   std::vector<char> merged_;
   CellClaims claims_;
   double last_time_ = 0.0;
+  double step_ = 0.0;  ///< To the frame at hand [s]; infinite to the first.
+  bool started_ = false;
   std::int64_t next_id_ = 1;
 };
 

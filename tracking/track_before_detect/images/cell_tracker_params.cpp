@@ -21,6 +21,7 @@ void check(const CellExistenceParams& p) {
   };
   core::require_positive("birth_expectation", p.birth_expectation);
   core::require_positive("births_per_frame", p.births_per_frame);
+  core::require_positive("birth_rate", p.birth_rate);
   probability("rank_exponent", p.rank_exponent);
   probability("least_probability", p.least_probability);
   core::require_positive("lifetime", p.lifetime);

@@ -16,9 +16,10 @@ struct CellMotionParams {
 
 /// How a track comes to exist and ends.
 struct CellExistenceParams {
-  double birth_expectation = 15.0;   ///< Blocks a frame and scale that start tracks without a target, > 0.
-  double births_per_frame = 3.0;     ///< Prior: targets expected to appear in a frame, > 0.
-  double rank_exponent = 0.15;       ///< a: ranks of targets have density a p^(a - 1), in (0, 1).
+  double birth_expectation = 15.0;  ///< Blocks a frame and scale that start tracks without a target, > 0.
+  double births_per_frame = 3.0;  ///< Prior: targets expected to appear in a frame, > 0; at the first, to be.
+  double birth_rate = 6.0;        ///< And in a second, where that is fewer [1/s], > 0.
+  double rank_exponent = 0.15;    ///< a: ranks of targets have density a p^(a - 1), in (0, 1).
   double least_probability = 1e-6;   ///< A block less probable than this says no more, in (0, 1).
   double lifetime = 25.0;            ///< Mean time that a target lasts [s], > 0.
   double confirm_existence = 0.995;  ///< In (0, 1).

@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "tests/tracking/track_before_detect/blobs.hpp"
 
 namespace lookout::tracking {
 namespace {
+
+constexpr double kFirst = std::numeric_limits<double>::infinity();  // [s] since the frame before the first
 
 constexpr double kThreshold = 1.9;
 const Eigen::Vector2d kTarget(60.0, 40.0);
@@ -66,10 +69,23 @@ TEST(CellEvidence, ExistenceFollowsBayesRule) {
 TEST(CellEvidence, ALessProbableBlockMakesASurerStart) {
   const CellEvidence evidence({});
   const ScaleSpace scales = seen(8.0);
-  const double likely = evidence.first_existence(scales, {0, kTarget, 0.0, std::log(1e-2)});
-  const double unlikely = evidence.first_existence(scales, {0, kTarget, 0.0, std::log(1e-5)});
+  const double likely = evidence.first_existence(scales, {0, kTarget, 0.0, std::log(1e-2)}, kFirst);
+  const double unlikely = evidence.first_existence(scales, {0, kTarget, 0.0, std::log(1e-5)}, kFirst);
   EXPECT_GT(unlikely, 10.0 * likely);
   EXPECT_LT(unlikely, 1.0);
+}
+
+// Six targets a second, but three in a frame at most: as many at the first frame as after 2 s; .3 after .05
+// s.
+TEST(CellEvidence, TargetsAppearInTimeNotInFrames) {
+  const CellEvidence evidence({});
+  const ScaleSpace scales = seen(8.0);
+  const auto odds = [&](double step) {
+    const double existence = evidence.first_existence(scales, {0, kTarget, 0.0, std::log(1e-2)}, step);
+    return existence / (1.0 - existence);
+  };
+  EXPECT_NEAR(odds(2.0), odds(kFirst), 1e-12);
+  EXPECT_NEAR(odds(0.05), 0.1 * odds(kFirst), 1e-12);
 }
 
 /// Noise with a blob of a standard deviation [px] at kTarget.

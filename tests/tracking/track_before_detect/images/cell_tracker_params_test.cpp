@@ -26,6 +26,9 @@ TEST(CellTrackerParams, ARefusalNamesTheParameterAndItsValue) {
   params.existence.rank_exponent = 1.5;
   EXPECT_EQ(refusal(params).find("rank_exponent must be in (0, 1)"), 0u);
   params = {};
+  params.existence.birth_rate = 0.0;
+  EXPECT_EQ(refusal(params).find("birth_rate must be > 0"), 0u);
+  params = {};
   params.motion.max_speed = -4.0;
   EXPECT_EQ(refusal(params).find("max_speed must be > 0"), 0u);
   params = {};
