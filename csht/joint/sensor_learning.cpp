@@ -38,9 +38,7 @@ void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& 
 }
 
 bool SensorLearning::moves(const TargetTrack& track) const {
-  const double speed = track.moments.mean.segment<2>(2).norm();
-  const double sigma = std::sqrt(0.5 * (track.moments.covariance(2, 2) + track.moments.covariance(3, 3)));
-  return speed > least_speed_ + sigma;
+  return track.moments.mean.segment<2>(2).norm() > least_speed_;
 }
 
 bool SensorLearning::changed(const SensorFigures& before) const {

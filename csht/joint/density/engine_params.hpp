@@ -90,8 +90,8 @@ struct SensorLearningParams {
   double least_change = 0.01;    ///< Relative change of a sensor figure that is worth a rewrite, > 0.
   int target_samples = 32;       ///< Trajectories that stand for a target, >= 1.
   double least_existence = 0.5;  ///< Of a target whose beams are its own, in [0, 1].
-  /// Least speed, beyond a standard error, of a target that teaches [max speed], >= 0: what stands is heard
-  /// more often than not, and would teach that of what moves.
+  /// Its least speed [max speed], >= 0: what stands is heard more often than what moves, and would teach too
+  /// few misses.
   double least_speed = 0.1;
 };
 
