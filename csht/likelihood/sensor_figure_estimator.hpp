@@ -33,7 +33,7 @@ struct SensorFigureParams {
   double unknown_miss = 0.5;
   /// Its weight, in trials, > 0, where no P_M is given. The targets that are found first are those that are
   /// missed least; believed too soon, they keep those from being found that are missed more.
-  double unknown_miss_weight = 40.0;
+  double unknown_miss_weight = 20.0;
   double unknown_false_alarm = 0.2;  ///< P_F likewise, in (0, 1); one scan outweighs it.
   double prior_weight = 4.0;         ///< Of P_F, and of P_M where one is given, in trials, > 0.
   double sigma_weight = 20.0;        ///< Of the given range sigma, in returns, > 0.

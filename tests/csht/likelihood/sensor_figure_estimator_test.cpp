@@ -49,11 +49,11 @@ TEST(SensorFigures, LearnsAllThree) {
 }
 
 // Where it was ten scans ago, the default `settle_scans`, is not known: nothing is learnt of returns and
-// misses, and P_M stays where it is without any, 0.5 of forty trials that have faded.
+// misses, and P_M stays where it is without any, 0.5 of twenty trials that have faded.
 TEST(SensorFigures, ATargetThatHasNotBeenThereForLongTeachesNothing) {
   const auto estimate = watch(testing::sonar(), 20, 3.0, 9).estimate();
   EXPECT_DOUBLE_EQ(estimate.miss_probability, 0.5);
-  EXPECT_GT(estimate.miss_probability_sigma, 0.5 / std::sqrt(40.0));
+  EXPECT_GT(estimate.miss_probability_sigma, 0.5 / std::sqrt(20.0));
 }
 
 // Three sonars in turn, of which the first misses 30 %: its settled scan is the eleventh or twelfth before.
