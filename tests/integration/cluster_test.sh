@@ -17,21 +17,30 @@ finish() {
 }
 trap finish EXIT
 make_hosts host 4
-mkdir -p "$work/bin" "$work/home" /run/sshd
+mkdir -p "$work/bin" "$work/slow" "$work/home" /run/sshd
 ln -s "$lookout" "$work/bin/lookout"
+# Of host 2, whose shards never end: it is at work when it is killed, however fast the machine is.
+cat > "$work/slow/lookout" <<END
+#!/bin/sh
+case "\$*" in *--shard*) sleep 600 ;; esac
+exec "$lookout" "\$@"
+END
+chmod +x "$work/slow/lookout"
 ssh-keygen -q -t ed25519 -N "" -f "$work/key"
 ssh-keygen -q -t ed25519 -N "" -f "$work/host_key"
-cat > "$work/sshd_config" <<END
+configure() { cat <<END
 HostKey $work/host_key
 AuthorizedKeysFile $work/key.pub
 PermitRootLogin yes
 StrictModes no
 UsePAM no
 PidFile none
-SetEnv PATH=$work/bin:/usr/bin:/bin HOME=$work/home LOOKOUT_TOOLS=$source/tools
+SetEnv PATH=$1:/usr/bin:/bin HOME=$work/home LOOKOUT_TOOLS=$source/tools
 END
+}
 for k in 1 2 3 4; do
-  ip netns exec "host$k" "$sshd" -f "$work/sshd_config"
+  configure "$work/$([ "$k" = 2 ] && echo slow || echo bin)" > "$work/sshd_config$k"
+  ip netns exec "host$k" "$sshd" -f "$work/sshd_config$k"
   echo "1/10.99.0.$k  # host$k"
 done > "$work/hosts"
 export LOOKOUT_SSH="ssh -i $work/key -o BatchMode=yes -o StrictHostKeyChecking=no -o UserKnownHostsFile=/dev/null \
