@@ -27,6 +27,7 @@ inline core::PosedScan posed_scan(std::vector<core::SonarReturn> returns, std::i
 /// degrees wide in the middle, 1.3 at the edges.
 inline std::shared_ptr<const core::UnevenFan> sine_fan() {
   std::vector<double> centres;
+  centres.reserve(90);
   const double outer = std::sin(core::radians(44.5));
   for (int beam = 0; beam < 90; ++beam) centres.push_back(std::asin(outer * (2.0 * beam / 89.0 - 1.0)));
   return std::make_shared<const core::UnevenFan>(std::move(centres));
