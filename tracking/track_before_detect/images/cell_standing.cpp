@@ -44,20 +44,30 @@ double CellStanding::way_ratio(const Eigen::Vector2d& way, const Eigen::Matrix2d
   return std::sqrt(still / moving) * std::exp(std::min(exponent, kMostExponent));
 }
 
-void CellStanding::judge_motion(const ScaleSpace& scales, const CellView& view, double time,
+/// Ratio of the probability of the track's velocity and way, if it moves, to that if it keeps to something
+/// that has gone `along` since it began.
+double CellStanding::moved_ratio(const CellTrack& track, const Eigen::Matrix2d& place,
+                                 const Eigen::Vector2d& along, double passed) const {
+  const Eigen::Vector2d way = track.state.head<2>() - track.first_position - along;
+  return std::min(
+      motion_ratio(track.state.tail<2>() - along / passed, track.covariance.bottomRightCorner<2, 2>()),
+      way_ratio(way / passed, place / (passed * passed)));
+}
+
+void CellStanding::judge_motion(const ScaleSpace& scales, const CellGeometry& geometry, double time,
                                 CellTrack& track) const {
   if (!params_.judged || time <= track.first_time) return;
+  const CellView view = geometry.observe(track.state.head<2>());
   const double passed = time - track.first_time;
   const ScaledFrame& scaled = scales.scales()[static_cast<std::size_t>(track.scale)];
   const Eigen::Matrix2d to_position = scaled.to_scale(view).jacobian.inverse();
   const Eigen::Vector2d variance = scales.params().filter.sigma.array().square();
   const Eigen::Matrix2d place =
       track.covariance.topLeftCorner<2, 2>() + to_position * variance.asDiagonal() * to_position.transpose();
-  const Eigen::Vector2d way = (track.state.head<2>() - track.first_position) / passed;
-  const double ratio =
-      std::min(motion_ratio(track.state.tail<2>(), track.covariance.bottomRightCorner<2, 2>()),
-               way_ratio(way, place / (passed * passed)));
-  track.moving = probability_of(track.moving_odds * ratio);
+  const Eigen::Vector2d with_sonar = geometry.position_of(track.first_cell) - track.first_position;
+  const double over_ground = moved_ratio(track, place, Eigen::Vector2d::Zero(), passed);
+  const double over_sonar = moved_ratio(track, place, with_sonar, passed);
+  track.moving = probability_of(track.moving_odds * std::min(over_ground, over_sonar));
 }
 
 bool CellStanding::stands(const CellTrack& track) const {

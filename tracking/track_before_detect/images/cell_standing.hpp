@@ -19,9 +19,9 @@ class CellStanding {
   /// Begins the frame at `time` [s].
   void begin(double time);
   /// Whether the track moves, by its velocity and by the way that it has made: on structure that glitters a
-  /// track wanders to and fro within its signature.
-  /// @param view of the track in cells of the frame.
-  void judge_motion(const ScaleSpace& scales, const CellView& view, double time, CellTrack& track) const;
+  /// track wanders to and fro within its signature. What goes along with the sonar stands too, in its frame.
+  void judge_motion(const ScaleSpace& scales, const CellGeometry& geometry, double time,
+                    CellTrack& track) const;
   /// Whether the track counts as standing.
   bool stands(const CellTrack& track) const;
   /// The same, and it is old enough to be given up for it.
@@ -40,6 +40,8 @@ class CellStanding {
     Eigen::Vector2d position;
     double time;
   };
+  double moved_ratio(const CellTrack& track, const Eigen::Matrix2d& place, const Eigen::Vector2d& along,
+                     double passed) const;
   double way_ratio(const Eigen::Vector2d& way, const Eigen::Matrix2d& standing) const;
   double motion_ratio(const Eigen::Vector2d& v, const Eigen::Matrix2d& standing) const;
   bool known_at(const ScaleSpace& scales, const CellGeometry& geometry, const Candidate& candidate) const;

@@ -33,6 +33,7 @@ struct CellTrack {
   bool inside = true;                    ///< In the image at the last frame.
   int age = 0;                           ///< Frames since its first.
   Eigen::Vector2d first_position{0, 0};  ///< Where it began.
+  Eigen::Vector2d first_cell{0, 0};      ///< And at which cell of the image.
   double first_time = 0.0;               ///< [s]
   double last_detection_time = 0.0;      ///< When its block last ranked in the best twentieth [s].
   double outside_since = 0.0;            ///< [s], while not inside.

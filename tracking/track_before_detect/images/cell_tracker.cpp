@@ -140,7 +140,7 @@ void CellTracker::judge(const CellGeometry& geometry, double time) {
     track.inside = view.inside;
     if (!view.inside) continue;
     evidence_.judge_existence(track, ratios_[k], time);
-    standing_.judge_motion(scales_, view, time, track);
+    standing_.judge_motion(scales_, geometry, time, track);
     if (track.measured) judge_scale(scales_, view, track);
     set_systematic(track, view);
     track.signature =
@@ -235,6 +235,7 @@ void CellTracker::start_tracks(const CellGeometry& geometry, double time) {
   measurement_.update(scales_, geometry, born_, starts_);
   for (CellTrack& track : born_) {
     track.first_position = track.state.head<2>();
+    track.first_cell = geometry.observe(track.first_position).cell;
     track.unrest = 1.0;
     track.intensity *= 1.0 / (1.0 - params_.measurement.intensity_memory);
     tracks_.push_back(track);

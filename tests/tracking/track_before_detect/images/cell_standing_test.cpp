@@ -23,22 +23,41 @@ ScaleSpace seen() {
 CellTrack track_that_went(const Eigen::Vector2d& way) {
   CellTrack track;
   track.age = 10;
-  track.first_position = {40.0, 40.0};
+  track.first_position = track.first_cell = {40.0, 40.0};
   track.state << track.first_position + way, way / track.age;
   track.covariance = Eigen::Vector4d(0.1, 0.1, 0.01, 0.01).asDiagonal();
   return track;
 }
 
-double moving_of(const Eigen::Vector2d& way) {
+double moving_of(const Eigen::Vector2d& way, const CellGeometry& geometry = kGeometry) {
   const CellStanding standing({});
   CellTrack track = track_that_went(way);
-  standing.judge_motion(seen(), kGeometry.observe(track.state.head<2>()), 10.0, track);
+  standing.judge_motion(seen(), geometry, 10.0, track);
   return track.moving;
 }
+
+/// Pixels of a camera that has gone (12, 0) since the track began.
+class Gone : public CellGeometry {
+ public:
+  CellView observe(const Eigen::Vector2d& position) const override {
+    return kGeometry.observe(position - kWay);
+  }
+  Eigen::Vector2d position_of(const Eigen::Vector2d& cell) const override { return cell + kWay; }
+  Eigen::Vector2d cell_size() const override { return {1.0, 1.0}; }
+
+ private:
+  const Eigen::Vector2d kWay{12.0, 0.0};
+};
 
 TEST(CellStanding, WhatHasMadeAWayMovesAndWhatHasNotStands) {
   EXPECT_GT(moving_of({15.0, 0.0}), 0.99);
   EXPECT_LT(moving_of({0.1, 0.0}), 0.3);
+}
+
+TEST(CellStanding, WhatGoesAlongWithTheSensorStandsInItsFrame) {
+  EXPECT_LT(moving_of({12.0, 0.0}, Gone{}), 0.3);
+  EXPECT_LT(moving_of({0.0, 0.0}, Gone{}), 0.3);
+  EXPECT_GT(moving_of({12.0, 9.0}, Gone{}), 0.99);
 }
 
 TEST(CellStanding, TracksOfTheFirstFramesHaveTimeToShowThatTheyMove) {
