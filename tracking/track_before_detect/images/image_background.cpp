@@ -9,12 +9,12 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr int kMostOfAMedian = 160;     // values that a median over beams or bins is taken of
+constexpr int kMostOfAMedian = 160;        // values that a median over beams or bins is taken of
+constexpr std::size_t kLeastOfAGain = 20;  // bins that the gain of a beam is learnt from, where it has them
 constexpr int kLattice = 16;            // cells between the places at which the sonar's motion is evaluated
 constexpr float kStandingStill = 0.5f;  // [cells] of motion since the memory's pose that need no following
 constexpr double kMiddle = 0.5, kLoudShare = 0.75;  // of values in order
-constexpr float kGoldenShare = 0.618034f;
-constexpr char kLearnt = 0, kKept = 1, kStanding = 2;  // how a cell is learnt
+constexpr float kLearnt = 0.0f, kStanding = -1.0f;  // how a cell is learnt, but for those that are kept
 
 double quantile_in_place(std::vector<double>& values, double share) {
   if (values.empty()) return 0.0;
@@ -37,6 +37,7 @@ ImageBackground::ImageBackground(const ImageBackgroundParams& params) : params_(
   core::require(params.swift_pings >= 1, "swift_pings must be >= 1", params.swift_pings);
   core::require(params.spill >= 0.0 && params.spill <= 1.0, "spill must be in [0, 1]", params.spill);
   core::require_positive("hold", params.hold);
+  core::require_positive("slowest", params.slowest);
   core::require(params.least_hold_pings >= 1, "least_hold_pings must be >= 1", params.least_hold_pings);
   core::require_positive("least_share", params.least_share);
   core::require_positive("least_level", params.least_level);
@@ -72,15 +73,16 @@ void ImageBackground::find_usual(const core::SonarImage& image) {
   }
 }
 
-/// What the memory of the earth expects of each cell. Its cells lie up to half a cell off: what is beside a
-/// bright one may be bright itself.
+/// What the memory of the earth expects of each cell; of new ground, what that of the sonar's frame does. Its
+/// cells lie up to half a cell off: what is beside a bright one may be bright itself.
 void ImageBackground::expect_moved() {
   const auto prior = static_cast<float>(params_.prior_pings);
   const auto spill = static_cast<float>(params_.spill);
   const std::size_t cells = ratio_.size();
   const int columns = frame_.columns;
   expected_.resize(cells);
-  for (std::size_t cell = 0; cell < cells; ++cell) expected_[cell] = moved_.level(cell, prior);
+  for (std::size_t cell = 0; cell < cells; ++cell)
+    expected_[cell] = moved_.level(cell, prior, still_.level(cell, prior));
   if (!has_moved_) return;
   along_ = expected_;
   for (int row = 0; row < frame_.rows; ++row)
@@ -94,7 +96,7 @@ void ImageBackground::expect_moved() {
     expected_[cell] = std::max(along_[cell], spill * std::max(along_[cell - width], along_[cell + width]));
 }
 
-/// Each cell over its usual level and what the memories expect of it, the one that foretells better first.
+/// Each cell over its usual level and what the memories expect of it: both where either may be right.
 void ImageBackground::combine() {
   const auto prior = static_cast<float>(params_.prior_pings);
   const auto columns = static_cast<std::size_t>(frame_.columns);
@@ -107,8 +109,8 @@ void ImageBackground::combine() {
       float& moved = expected_[first + bin];
       moved = std::max(least, moved);
       still_row_[bin] = std::max(least, still_.level(first + bin, prior));
-      const float share = choice_.share(static_cast<int>(bin), row);
-      const float expected = share * moved + (1.0f - share) * still_row_[bin];
+      const float expected =
+          std::max(least, choice_.level(static_cast<int>(bin), row, moved, still_row_[bin]));
       level_[first + bin] *= static_cast<double>(expected);
       frame_.values[first + bin] = static_cast<double>(ratio_[first + bin] / expected);
     }
@@ -150,17 +152,14 @@ void ImageBackground::smooth_profile(double range_step) {
 }
 
 /// The gain of each beam, averaged over the pings: what a high share of its bins hold at most over the level
-/// of their range, beside the same of the other beams. High, because a shadow may lie on many bins.
+/// of their range, beside the same of the other beams. High, because a shadow may lie on many bins; and of
+/// bins that no memory knows as dim.
 void ImageBackground::learn_gains(const core::SonarImage& image) {
-  const int stride = stride_of(frame_.columns);
   pings_ = std::min(pings_ + 1, params_.most_pings);
   loudness_.clear();
   for (int beam = 0; beam < frame_.rows; ++beam) {
-    scratch_.clear();
-    for (int bin = 0; bin < frame_.columns; bin += stride) {
-      const double level = profile_[static_cast<std::size_t>(bin)];
-      if (level > 0.0) scratch_.push_back(image.at(beam, bin) / level);
-    }
+    collect_over_profile(image, beam, static_cast<float>(params_.least_share));
+    if (scratch_.size() < kLeastOfAGain) collect_over_profile(image, beam, 0.0f);
     loudness_.push_back(quantile_in_place(scratch_, kLoudShare));
   }
   scratch_ = loudness_;
@@ -169,31 +168,54 @@ void ImageBackground::learn_gains(const core::SonarImage& image) {
     if (loudness_[beam] > 0.0) gain_[beam] += (loudness_[beam] / usual - gain_[beam]) / pings_;
 }
 
+/// Overwrites scratch_ with a beam's bins over the level of their range, but for those of which a memory
+/// expects less than `least`.
+void ImageBackground::collect_over_profile(const core::SonarImage& image, int beam, float least) {
+  const auto prior = static_cast<float>(params_.prior_pings);
+  const int stride = stride_of(frame_.columns);
+  scratch_.clear();
+  for (int bin = 0; bin < frame_.columns; bin += stride) {
+    const double level = profile_[static_cast<std::size_t>(bin)];
+    const std::size_t cell = frame_.index(bin, beam);
+    if (level > 0.0 && std::min(still_.level(cell, prior), moved_.level(cell, prior)) >= least)
+      scratch_.push_back(image.at(beam, bin) / level);
+  }
+}
+
 void ImageBackground::learn(std::span<const CellWindow> kept, std::span<const CellWindow> standing) {
-  held_.assign(ratio_.size(), kLearnt);
-  const auto mark = [this](const CellWindow& w, char how) {
+  hold_.assign(ratio_.size(), kLearnt);
+  const auto mark = [this](const CellWindow& w, float how) {
     for (int beam = std::max(0, w.first_row); beam < std::min(frame_.rows, w.last_row); ++beam)
-      for (int bin = std::max(0, w.first_column); bin < std::min(frame_.columns, w.last_column); ++bin)
-        held_[frame_.index(bin, beam)] = how;
+      for (int bin = std::max(0, w.first_column); bin < std::min(frame_.columns, w.last_column); ++bin) {
+        float& hold = hold_[frame_.index(bin, beam)];
+        hold = how == kStanding ? how : std::max(hold, how);
+      }
   };
   for (const CellWindow& window : standing) mark(window, kStanding);
-  for (const CellWindow& window : kept) mark(window, kKept);
+  for (const CellWindow& window : kept) mark(window, most_kept(window));
   const auto swift = static_cast<float>(std::min(pings_, params_.swift_pings));
-  const MemoryRates rates{static_cast<float>(params_.most_pings), 1.0f / swift, most_kept()};
+  const MemoryRates rates{static_cast<float>(params_.most_pings), 1.0f / swift};
   for (LevelMemory* memory : {&moved_, &still_})
-    for (std::size_t cell = 0; cell < held_.size(); ++cell) {
-      if (held_[cell] == kKept)
-        memory->keep(cell, ratio_[cell], rates);
-      else if (held_[cell] == kStanding)
+    for (std::size_t cell = 0; cell < hold_.size(); ++cell) {
+      if (hold_[cell] > kLearnt)
+        memory->keep(cell, ratio_[cell], hold_[cell], rates);
+      else if (hold_[cell] == kStanding)
         memory->stand(cell, ratio_[cell], rates);
       else
         memory->learn(cell, ratio_[cell], rates);
     }
 }
 
-/// Pings on end that a cell may be kept for a target.
-float ImageBackground::most_kept() const {
-  const double pings = interval_ > 0.0 ? params_.hold / interval_ : 0.0;
+/// Pings on end that the cells of a window may be kept for a target: the slowest one passes it in that time.
+float ImageBackground::most_kept(const CellWindow& window) const {
+  const core::SonarImage& image = last_.image;
+  const double middle = 0.5 * (window.first_column + window.last_column);
+  const double range = image.first_range + middle * image.range_step;
+  const double fan = image.bearings.back() - image.bearings.front();
+  const double step = fan / std::max(1, frame_.rows - 1);
+  const double extent = std::max(window.columns() * image.range_step, window.rows() * step * range);
+  const double hold = std::min(params_.hold, extent / params_.slowest);
+  const double pings = interval_ > 0.0 ? hold / interval_ : 0.0;
   return static_cast<float>(std::max(static_cast<double>(params_.least_hold_pings), pings));
 }
 
@@ -221,8 +243,7 @@ void ImageBackground::follow(const core::PosedImage& posed) {
   started_ = true;
 }
 
-/// Moves the memory by the sonar's motion: exact at a lattice of cells, linear between, then to a cell near,
-/// with an offset that changes from time to time, so that motion of less than a cell is not lost.
+/// Moves the memory by the sonar's motion: exact at a lattice of cells, linear between, then to a cell near.
 void ImageBackground::shift(const core::PosedImage& posed) {
   const SonarCellGeometry before(last_), now(posed);
   const int columns = frame_.columns, rows = frame_.rows;
@@ -240,8 +261,7 @@ void ImageBackground::shift(const core::PosedImage& posed) {
     }
   if (most < kStandingStill) return;
   last_ = without_intensities(posed);
-  offset_ = std::fmod(offset_ + kGoldenShare, 1.0f);
-  from_.assign(ratio_.size(), LevelMemory::kNew);
+  from_.resize(ratio_.size());
   for (int row = 0; row < rows; ++row)
     for (int column = 0; column < columns; ++column) {
       const int i = column / kLattice, j = row / kLattice;
@@ -250,12 +270,10 @@ void ImageBackground::shift(const core::PosedImage& posed) {
       const auto* corner = from.data() + std::ptrdiff_t{j} * across + i;
       const Eigen::Vector2f off = (1 - v) * ((1 - u) * corner[0] + u * corner[1]) +
                                   v * ((1 - u) * corner[across] + u * corner[across + 1]);
-      const auto x = static_cast<int>(std::floor(static_cast<float>(column) + off.x() + offset_));
-      const auto y = static_cast<int>(std::floor(static_cast<float>(row) + off.y() + offset_));
-      if (x < 0 || x >= columns || y < 0 || y >= rows) continue;
-      from_[frame_.index(column, row)] = static_cast<std::uint32_t>(frame_.index(x, y));
+      from_[frame_.index(column, row)] =
+          off + Eigen::Vector2f(static_cast<float>(column), static_cast<float>(row));
     }
-  moved_.move(from_);
+  moved_.move(from_, columns);
   has_moved_ = true;
 }
 

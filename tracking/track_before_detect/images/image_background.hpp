@@ -21,6 +21,7 @@ struct ImageBackgroundParams {
   double spill = 0.7;         ///< Least share of a neighbour's level, where the memory moved, in [0, 1].
   double hold = 8.0;          ///< For which a cell is kept for a target on end [s], > 0; then it is learnt: a
                               ///< target passes, in the sonar's frame and in the earth's.
+  double slowest = 0.3;       ///< Target that passes [m/s], > 0: a cell is kept for no longer than it takes.
   int least_hold_pings = 16;  ///< And at least for so many pings, >= 1.
   double least_share = 0.7;   ///< Of the usual level, below which no memory brings a cell, > 0: what leaves a
                               ///< shadow is no target.
@@ -30,8 +31,8 @@ struct ImageBackgroundParams {
 /// The level of every cell, learnt ping by ping: of its range and beam together (the median over beams at
 /// each range, times the gain of each beam), and of the cell itself in units of that, which takes in bottom,
 /// walls and standing highlights. Cells that a target covers are not learnt. The cells' memory is held
-/// twice, in the sonar's frame and, moved with the sonar, in the earth's: by place the one that foretells
-/// better counts.
+/// twice, in the sonar's frame and, moved with the sonar, in the earth's: by place the greater of the two
+/// levels counts, unless the pings have shown that it is wrong.
 class ImageBackground {
  public:
   /// @throws std::invalid_argument naming the parameter out of range.
@@ -52,10 +53,11 @@ class ImageBackground {
   void learn_profile(const core::SonarImage& image);
   void smooth_profile(double range_step);
   void learn_gains(const core::SonarImage& image);
+  void collect_over_profile(const core::SonarImage& image, int beam, float least);
   void find_usual(const core::SonarImage& image);
   void expect_moved();
   void combine();
-  float most_kept() const;
+  float most_kept(const CellWindow& window) const;
   void follow(const core::PosedImage& posed);
   void shift(const core::PosedImage& posed);
   double floor_of(const core::SonarImage& image) const;
@@ -67,11 +69,10 @@ class ImageBackground {
   MemoryChoice choice_;
   std::vector<float> expected_, along_, still_row_;
   std::vector<double> level_;
-  std::vector<char> held_;           ///< By cell, how it is learnt.
-  std::vector<std::uint32_t> from_;  ///< By cell, where it was before the sonar moved.
+  std::vector<float> hold_;            ///< By cell, pings that it may be kept for, or how it is learnt.
+  std::vector<Eigen::Vector2f> from_;  ///< By cell, where it was before the sonar moved [cells].
   IntensityFrame frame_;
   core::PosedImage last_;   ///< Pose and geometry of the memory; holds no intensities.
-  float offset_ = 0.5f;     ///< Of the cell that the memory is moved to.
   bool has_moved_ = false;  ///< Whether the memory has been moved.
   bool started_ = false;
   int pings_ = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -18,17 +19,27 @@ class MemoryChoice {
   void settle();
   /// Share of the moved memory at a cell, in [0, 1]; .88 before any evidence.
   float share(int column, int row) const { return share_[block_of(column, row)]; }
+  /// The level of a Rayleigh amplitude that is as rarely far above it as one that has, with this cell's
+  /// share, the level that either memory expects. What is expected to be loud with some probability is no
+  /// target.
+  float level(int column, int row, float moved, float still) const {
+    const std::size_t block = block_of(column, row);
+    return std::max(moved_weight_[block] * moved, still_weight_[block] * still);
+  }
 
  private:
-  static constexpr int kBlock = 16;  // cells along either axis
+  static constexpr int kBlockColumns = 16, kBlockRows = 4;  // cells; structure and its shadow lie along beams
+  void weigh(std::size_t block);
   std::size_t block_of(int column, int row) const {
-    return static_cast<std::size_t>(row / kBlock) * across_ + static_cast<std::size_t>(column / kBlock);
+    return static_cast<std::size_t>(row / kBlockRows) * across_ +
+           static_cast<std::size_t>(column / kBlockColumns);
   }
 
   std::size_t across_ = 0;
   int columns_ = 0;
   std::vector<float> evidence_;  ///< By block, ln of how much better the moved memory foretells.
   std::vector<float> share_;     ///< By block.
+  std::vector<float> moved_weight_, still_weight_;  ///< By block, of either memory's level, in [0, 1].
 };
 
 }  // namespace lookout::tracking

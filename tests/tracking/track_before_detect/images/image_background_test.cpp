@@ -65,6 +65,31 @@ TEST(ImageBackground, WhatATargetCoversIsNotLearntUntilItIsSaidToStand) {
   EXPECT_LT(background.normalise(posed).at(20, 15), 1.5);
 }
 
+/// What a highlight is over the background after `pings` at `interval` [s], kept for a target throughout,
+/// beside what it was at the first.
+double kept_for(int pings, double interval, double range_step) {
+  ImageBackground background;
+  core::PosedImage posed = striped();
+  posed.image.range_step = range_step;
+  posed.image.intensity[cell(20, 15)] *= 8.0;
+  const CellWindow window{18, 23, 14, 17};
+  const double first = background.normalise(posed).at(20, 15);
+  for (int ping = 0; ping < pings; ++ping) {
+    posed.image.utime = core::microseconds(interval * ping);
+    background.normalise(posed);
+    background.learn({&window, 1}, {});
+  }
+  return background.normalise(posed).at(20, 15) / first;
+}
+
+// 5 bins of .5 m take the slowest target 8 s; 3 beams of .02 rad at 5.2 m, .31 m, take it 1 s.
+TEST(ImageBackground, ACellIsKeptForAsLongAsTheSlowestTargetTakesToPassIt) {
+  EXPECT_NEAR(kept_for(70, 0.1, 0.5), 1.0, 1e-6);
+  EXPECT_LT(kept_for(90, 0.1, 0.5), 0.25);
+  EXPECT_NEAR(kept_for(45, 0.02, 0.01), 1.0, 1e-6);
+  EXPECT_LT(kept_for(70, 0.02, 0.01), 0.25);
+}
+
 TEST(ImageBackground, TheMemoryMovesWithTheSonar) {
   ImageBackground background;
   core::PosedImage posed = striped();
@@ -115,6 +140,35 @@ TEST(ImageBackground, AShadowOnHalfOfABeamLeavesItsGain) {
   core::PosedImage posed = striped();
   for (int bin = 32; bin < kBins; ++bin) posed.image.intensity[cell(bin, 4)] *= 0.1;
   EXPECT_NEAR(background.normalise(posed).at(10, 4), 1.0, 0.05);
+}
+
+// A wall comes before the far half of beam after beam, which lie in its shadow from then on.
+TEST(ImageBackground, AShadowThatGrowsOverTheBeamsLeavesTheirGains) {
+  ImageBackground background;
+  double most = 0.0;
+  for (int ping = 0; ping < 80; ++ping) {
+    core::PosedImage posed = striped();
+    for (int beam = 20; beam < std::min(kBeams, 20 + ping / 4); ++beam)
+      for (int bin = 22; bin < kBins; ++bin) posed.image.intensity[cell(bin, beam)] *= 0.1;
+    const IntensityFrame& frame = background.normalise(posed);
+    for (int beam = 20; beam < kBeams; ++beam) most = std::max(most, frame.at(10, beam));
+    background.learn({}, {});
+  }
+  EXPECT_LT(most, 1.1);
+}
+
+// Every fourth beam is louder at its far end. Then the sonar goes ten bins on.
+TEST(ImageBackground, NewGroundIsExpectedToBeAsItsPlaceInTheImageWas) {
+  ImageBackground background;
+  core::PosedImage posed = striped();
+  for (int beam = 0; beam < kBeams; beam += 4)
+    for (int bin = kBins - 10; bin < kBins; ++bin) posed.image.intensity[cell(bin, beam)] *= 3.0;
+  for (int ping = 0; ping < 100; ++ping) {
+    background.normalise(posed);
+    background.learn({}, {});
+  }
+  posed.T_earth_sonar.north = 5.0;
+  EXPECT_LT(background.normalise(posed).at(kBins - 3, 16), 1.1);
 }
 
 TEST(ImageBackground, WhatLeavesAShadowIsNoTarget) {

@@ -37,5 +37,28 @@ TEST(MemoryChoice, BelievesTheMemoryThatForetellsAndOnlyThere) {
   EXPECT_LT(choice.share(3, 3), 0.01f);
 }
 
+TEST(MemoryChoice, TheGreaterLevelCountsUntilItIsShownToBeWrong) {
+  MemoryChoice choice;
+  choice.begin(kColumns, 16);
+  EXPECT_FLOAT_EQ(choice.level(3, 3, 5.0f, 2.0f), 5.0f);
+  // The memory that is the less likely one, share .12: sqrt(1 - ln(1 / .12) / ln(1e4)) of its level, over the
+  // same of the other's share, .88.
+  EXPECT_NEAR(choice.level(3, 3, 2.0f, 5.0f), 5.0f * 0.878f / 0.993f, 0.01f);
+  show(choice, false);
+  EXPECT_FLOAT_EQ(choice.level(3, 3, 5.0f, 2.0f), 2.0f);
+}
+
+TEST(MemoryChoice, AShadowOnABeamIsJudgedApartFromTheBeamsBeside) {
+  MemoryChoice choice;
+  choice.begin(kColumns, 16);
+  const std::vector<float> one(kColumns, 1.0f), two(kColumns, 2.0f);
+  for (int ping = 0; ping < 10; ++ping) {
+    for (int row = 0; row < 16; ++row) choice.add(row, (row < 4 ? two : one).data(), two.data(), one.data());
+    choice.settle();
+  }
+  EXPECT_FLOAT_EQ(choice.level(3, 3, 2.0f, 1.0f), 2.0f);
+  EXPECT_FLOAT_EQ(choice.level(3, 4, 2.0f, 1.0f), 1.0f);
+}
+
 }  // namespace
 }  // namespace lookout::tracking
