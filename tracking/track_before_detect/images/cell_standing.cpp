@@ -67,12 +67,17 @@ void CellStanding::judge_motion(const ScaleSpace& scales, const CellGeometry& ge
   const Eigen::Vector2d with_sonar = geometry.position_of(track.first_cell) - track.first_position;
   const double over_ground = moved_ratio(track, place, Eigen::Vector2d::Zero(), passed);
   const double over_sonar = moved_ratio(track, place, with_sonar, passed);
-  track.moving = probability_of(track.moving_odds * std::min(over_ground, over_sonar));
+  track.moving = probability_of(track.moving_odds * over_ground);
+  track.moving_in_frame = probability_of(track.moving_odds * over_sonar);
 }
 
 bool CellStanding::stands(const CellTrack& track) const {
   const bool early = track.first_time < learnt_time_ && track.age < params_.early_age;
   return params_.judged && !early && track.moving < params_.least_moving;
+}
+
+bool CellStanding::may_be_a_mark(const CellTrack& track) const {
+  return params_.judged && track.age < params_.mark_age && track.moving_in_frame < params_.least_moving;
 }
 
 bool CellStanding::may_be_target(const CellTrack& track) const {

@@ -19,13 +19,16 @@ class CellStanding {
   /// Begins the frame at `time` [s].
   void begin(double time);
   /// Whether the track moves, by its velocity and by the way that it has made: on structure that glitters a
-  /// track wanders to and fro within its signature. What goes along with the sonar stands too, in its frame.
+  /// track wanders to and fro within its signature. And whether it moves in the sonar's frame.
   void judge_motion(const ScaleSpace& scales, const CellGeometry& geometry, double time,
                     CellTrack& track) const;
   /// Whether the track counts as standing.
   bool stands(const CellTrack& track) const;
   /// The same, and it is old enough to be given up for it.
   bool surely_stands(const CellTrack& track) const { return stands(track) && track.age >= params_.min_age; }
+  /// Whether the track goes along with the sonar and has not done so for long: a mark of the instrument, or
+  /// the rim of the image, may do so for some pings.
+  bool may_be_a_mark(const CellTrack& track) const;
   /// Whether the track may be a target: it is new, or it surely moves.
   bool may_be_target(const CellTrack& track) const;
   /// Prior odds that what begins at a peak moves.

@@ -20,11 +20,12 @@ struct CellTrack {
   /// Of the error of `state` for a target that turns as targets mostly do, under the same gains: what is
   /// published, but for `systematic`.
   Eigen::Matrix4d error = Eigen::Matrix4d::Zero();
-  double existence = 0.0;    ///< Probability that there is a target.
-  double intensity = 0.0;    ///< Smoothed lambda [background level].
-  bool measured = false;     ///< Whether the last frame held intensity of its signature.
-  bool confirmed = false;    ///< Once true, it stays so.
-  double moving = 1.0;       ///< Probability that it moves over ground.
+  double existence = 0.0;        ///< Probability that there is a target.
+  double intensity = 0.0;        ///< Smoothed lambda [background level].
+  bool measured = false;         ///< Whether the last frame held intensity of its signature.
+  bool confirmed = false;        ///< Once true, it stays so.
+  double moving = 1.0;           ///< Probability that it moves over ground.
+  double moving_in_frame = 1.0;  ///< The same in the sensor's frame.
   double unrest = 1.0;       ///< Squared innovations over what is expected, smoothed; 1 on a steady course.
   double moving_odds = 5.0;  ///< Prior odds that it moves.
   double least_existence = 0.0;          ///< Below it a tentative track is given up.

@@ -153,7 +153,7 @@ void CellTracker::confirm(CellTrack& track) const {
   const CellExistenceParams& p = params_.existence;
   if (standing_.stands(track))
     track.confirmed = false;
-  else if (track.existence > p.confirm_existence && track.age >= p.min_age)
+  else if (track.existence > p.confirm_existence && track.age >= p.min_age && !standing_.may_be_a_mark(track))
     track.confirmed = true;
 }
 

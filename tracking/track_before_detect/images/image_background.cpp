@@ -73,6 +73,17 @@ void ImageBackground::find_usual(const core::SonarImage& image) {
   }
 }
 
+/// What the memory of the sonar's frame expects of each cell: no more than what it holds over many beams, so
+/// that the echo of a target that goes along is not expected.
+void ImageBackground::expect_still() {
+  const auto prior = static_cast<float>(params_.prior_pings);
+  still_expected_.resize(ratio_.size());
+  std::size_t cell = 0;
+  for (int beam = 0; beam < frame_.rows; ++beam)
+    for (int bin = 0; bin < frame_.columns; ++bin, ++cell)
+      still_expected_[cell] = std::min(still_.level(cell, prior), wide_.at(bin, beam));
+}
+
 /// What the memory of the earth expects of each cell; of new ground, what that of the sonar's frame does. Its
 /// cells lie up to half a cell off: what is beside a bright one may be bright itself.
 void ImageBackground::expect_moved() {
@@ -82,7 +93,7 @@ void ImageBackground::expect_moved() {
   const int columns = frame_.columns;
   expected_.resize(cells);
   for (std::size_t cell = 0; cell < cells; ++cell)
-    expected_[cell] = moved_.level(cell, prior, still_.level(cell, prior));
+    expected_[cell] = moved_.level(cell, prior, still_expected_[cell]);
   if (!has_moved_) return;
   along_ = expected_;
   for (int row = 0; row < frame_.rows; ++row)
@@ -98,23 +109,21 @@ void ImageBackground::expect_moved() {
 
 /// Each cell over its usual level and what the memories expect of it: both where either may be right.
 void ImageBackground::combine() {
-  const auto prior = static_cast<float>(params_.prior_pings);
   const auto columns = static_cast<std::size_t>(frame_.columns);
   const auto least = static_cast<float>(params_.least_share);
+  expect_still();
   expect_moved();
-  still_row_.resize(columns);
   for (int row = 0; row < frame_.rows; ++row) {
     const std::size_t first = frame_.index(0, row);
     for (std::size_t bin = 0; bin < columns; ++bin) {
-      float& moved = expected_[first + bin];
+      float &moved = expected_[first + bin], &still = still_expected_[first + bin];
       moved = std::max(least, moved);
-      still_row_[bin] = std::max(least, still_.level(first + bin, prior));
-      const float expected =
-          std::max(least, choice_.level(static_cast<int>(bin), row, moved, still_row_[bin]));
+      still = std::max(least, still);
+      const float expected = std::max(least, choice_.level(static_cast<int>(bin), row, moved, still));
       level_[first + bin] *= static_cast<double>(expected);
       frame_.values[first + bin] = static_cast<double>(ratio_[first + bin] / expected);
     }
-    choice_.add(row, ratio_.data() + first, expected_.data() + first, still_row_.data());
+    choice_.add(row, ratio_.data() + first, expected_.data() + first, still_expected_.data() + first);
   }
   choice_.settle();
 }
@@ -204,6 +213,7 @@ void ImageBackground::learn(std::span<const CellWindow> kept, std::span<const Ce
       else
         memory->learn(cell, ratio_[cell], rates);
     }
+  wide_.update(still_, static_cast<float>(params_.prior_pings));
 }
 
 /// Pings on end that the cells of a window may be kept for a target: the slowest one passes it in that time.
@@ -233,6 +243,7 @@ void ImageBackground::follow(const core::PosedImage& posed) {
     moved_.begin(cells);
     has_moved_ = false;
     still_.begin(cells);
+    wide_.begin(frame_.columns, frame_.rows);
     choice_.begin(frame_.columns, frame_.rows);
     gain_.assign(static_cast<std::size_t>(frame_.rows), 1.0);
     pings_ = 0;

@@ -7,6 +7,7 @@
 #include "core/sonar_image.hpp"
 #include "tracking/track_before_detect/images/level_memory.hpp"
 #include "tracking/track_before_detect/images/memory_choice.hpp"
+#include "tracking/track_before_detect/images/wide_level.hpp"
 #include "tracking/track_before_detect/intensity_frame.hpp"
 
 namespace lookout::tracking {
@@ -32,7 +33,8 @@ struct ImageBackgroundParams {
 /// each range, times the gain of each beam), and of the cell itself in units of that, which takes in bottom,
 /// walls and standing highlights. Cells that a target covers are not learnt. The cells' memory is held
 /// twice, in the sonar's frame and, moved with the sonar, in the earth's: by place the greater of the two
-/// levels counts, unless the pings have shown that it is wrong.
+/// levels counts, unless the pings have shown that it is wrong; in the sonar's frame no more than spans many
+/// beams, for a target may go along.
 class ImageBackground {
  public:
   /// @throws std::invalid_argument naming the parameter out of range.
@@ -55,6 +57,7 @@ class ImageBackground {
   void learn_gains(const core::SonarImage& image);
   void collect_over_profile(const core::SonarImage& image, int beam, float least);
   void find_usual(const core::SonarImage& image);
+  void expect_still();
   void expect_moved();
   void combine();
   float most_kept(const CellWindow& window) const;
@@ -66,8 +69,9 @@ class ImageBackground {
   std::vector<double> median_, profile_, gain_, loudness_, scratch_;  ///< By bin, by bin, by beam, by beam.
   std::vector<float> ratio_;   ///< By cell: the last image over that level.
   LevelMemory moved_, still_;  ///< Of the earth's frame and of the sonar's.
+  WideLevel wide_;             ///< Of still_.
   MemoryChoice choice_;
-  std::vector<float> expected_, along_, still_row_;
+  std::vector<float> expected_, along_, still_expected_;
   std::vector<double> level_;
   std::vector<float> hold_;            ///< By cell, pings that it may be kept for, or how it is learnt.
   std::vector<Eigen::Vector2f> from_;  ///< By cell, where it was before the sonar moved [cells].

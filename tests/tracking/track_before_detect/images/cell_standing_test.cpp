@@ -29,11 +29,11 @@ CellTrack track_that_went(const Eigen::Vector2d& way) {
   return track;
 }
 
-double moving_of(const Eigen::Vector2d& way, const CellGeometry& geometry = kGeometry) {
+CellTrack judged(const Eigen::Vector2d& way, const CellGeometry& geometry = kGeometry) {
   const CellStanding standing({});
   CellTrack track = track_that_went(way);
   standing.judge_motion(seen(), geometry, 10.0, track);
-  return track.moving;
+  return track;
 }
 
 /// Pixels of a camera that has gone (12, 0) since the track began.
@@ -49,15 +49,32 @@ class Gone : public CellGeometry {
   const Eigen::Vector2d kWay{12.0, 0.0};
 };
 
+double moving_of(const Eigen::Vector2d& way) {
+  return judged(way).moving;
+}
+
 TEST(CellStanding, WhatHasMadeAWayMovesAndWhatHasNotStands) {
   EXPECT_GT(moving_of({15.0, 0.0}), 0.99);
   EXPECT_LT(moving_of({0.1, 0.0}), 0.3);
 }
 
-TEST(CellStanding, WhatGoesAlongWithTheSensorStandsInItsFrame) {
-  EXPECT_LT(moving_of({12.0, 0.0}, Gone{}), 0.3);
-  EXPECT_LT(moving_of({0.0, 0.0}, Gone{}), 0.3);
-  EXPECT_GT(moving_of({12.0, 9.0}, Gone{}), 0.99);
+TEST(CellStanding, WhatGoesAlongWithTheSensorMovesOverGroundAndStandsInItsFrame) {
+  EXPECT_LT(judged({12.0, 0.0}, Gone{}).moving_in_frame, 0.3);
+  EXPECT_GT(judged({12.0, 0.0}, Gone{}).moving, 0.99);
+  EXPECT_LT(judged({0.0, 0.0}, Gone{}).moving, 0.3);
+  EXPECT_GT(judged({12.0, 9.0}, Gone{}).moving_in_frame, 0.99);
+}
+
+TEST(CellStanding, WhatGoesAlongMayBeAMarkUntilItHasDoneSoForLong) {
+  const CellStandingParams params;
+  const CellStanding standing(params);
+  CellTrack along = judged({12.0, 0.0}, Gone{}), apart = judged({12.0, 9.0}, Gone{});
+  along.age = apart.age = params.mark_age - 1;
+  EXPECT_TRUE(standing.may_be_a_mark(along));
+  EXPECT_FALSE(standing.may_be_a_mark(apart));
+  along.age = params.mark_age;
+  EXPECT_FALSE(standing.may_be_a_mark(along));
+  EXPECT_FALSE(standing.stands(along));
 }
 
 TEST(CellStanding, TracksOfTheFirstFramesHaveTimeToShowThatTheyMove) {

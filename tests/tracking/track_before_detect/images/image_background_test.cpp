@@ -135,6 +135,18 @@ TEST(ImageBackground, ABottomThatGoesAlongIsBackground) {
   EXPECT_LT(brightest_under_way(bottom), 1.5);
 }
 
+// Under way at half a bin a ping: an echo on three beams that goes along, and a ring at its range.
+TEST(ImageBackground, OfWhatGoesAlongARingIsBackgroundAndACompactEchoIsNot) {
+  const auto blob = [](core::SonarImage& image) {
+    for (int beam = 14; beam < 17; ++beam) image.intensity[cell(25, beam)] *= 8.0;
+  };
+  const auto ring = [](core::SonarImage& image) {
+    for (int beam = 0; beam < kBeams; beam += 2) image.intensity[cell(25, beam)] *= 8.0;
+  };
+  EXPECT_GT(brightest_under_way(blob), 5.0);
+  EXPECT_LT(brightest_under_way(ring), 1.5);
+}
+
 TEST(ImageBackground, AShadowOnHalfOfABeamLeavesItsGain) {
   ImageBackground background;
   core::PosedImage posed = striped();
@@ -157,11 +169,11 @@ TEST(ImageBackground, AShadowThatGrowsOverTheBeamsLeavesTheirGains) {
   EXPECT_LT(most, 1.1);
 }
 
-// Every fourth beam is louder at its far end. Then the sonar goes ten bins on.
+// Half of the beams, side by side, are louder at their far end. Then the sonar goes ten bins on.
 TEST(ImageBackground, NewGroundIsExpectedToBeAsItsPlaceInTheImageWas) {
   ImageBackground background;
   core::PosedImage posed = striped();
-  for (int beam = 0; beam < kBeams; beam += 4)
+  for (int beam = 8; beam < 23; ++beam)
     for (int bin = kBins - 10; bin < kBins; ++bin) posed.image.intensity[cell(bin, beam)] *= 3.0;
   for (int ping = 0; ping < 100; ++ping) {
     background.normalise(posed);
