@@ -135,11 +135,8 @@ SensorFigureEstimator::SensorFigureEstimator(const SensorFigureParams& params, c
   core::require(params.doubt_sigmas > 0.0, "doubt_sigmas must be > 0", params.doubt_sigmas);
   core::require(params.prior_weight > 0.0, "prior_weight must be > 0", params.prior_weight);
   core::require(params.sigma_weight > 0.0, "sigma_weight must be > 0", params.sigma_weight);
-  core::require(params.unknown_miss_weight > 0.0, "unknown_miss_weight must be > 0",
-                params.unknown_miss_weight);
-  const double miss_weight = given.miss_probability ? params.prior_weight : params.unknown_miss_weight;
   const double weight = params.prior_weight;
-  miss_ = {miss_weight * params.unknown_miss, miss_weight};
+  miss_ = {weight * params.unknown_miss, weight};
   if (!given.point_sensor()) false_alarm_ = {weight * params.unknown_false_alarm, weight};
   tail_ = {kPriorTails * kFewTails, kPriorTails};
   squares_ = params.sigma_weight * given.range_sigma * given.range_sigma;

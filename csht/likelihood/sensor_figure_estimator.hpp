@@ -31,11 +31,8 @@ struct SensorFigureParams {
   double doubt_sigmas = 4.0;    ///< A given figure so many standard errors off its estimate is not used, > 0.
   /// P_M before anything is learnt, in (0, 1): in the middle, where an error costs least.
   double unknown_miss = 0.5;
-  /// Its weight, in trials, > 0, where no P_M is given. The targets that are found first are those that are
-  /// missed least; believed too soon, they keep those from being found that are missed more.
-  double unknown_miss_weight = 20.0;
   double unknown_false_alarm = 0.2;  ///< P_F likewise, in (0, 1); one scan outweighs it.
-  double prior_weight = 4.0;         ///< Of P_F, and of P_M where one is given, in trials, > 0.
+  double prior_weight = 4.0;         ///< Of these two, in trials, > 0.
   double sigma_weight = 20.0;        ///< Of the given range sigma, in returns, > 0.
 };
 

@@ -102,8 +102,7 @@ TEST(JointTracker, SameSeedSameTracks) {
 }
 
 // Four targets, which move north, appear in view in the 20th scan and never miss a detection. Were they held
-// against the scans before, each would have missed ten: (20 + 40) / (40 + 40 + 120), with 40 trials of one
-// half.
+// against the scans before, each would have missed ten: 40 of 160.
 TEST(JointTracker, TargetsThatAppearInViewAreNoMissesOfTheScansBefore) {
   const std::vector<Eigen::Vector2d> four{{60, 20}, {90, -40}, {40, 0}, {110, 30}};
   ScanPipeline tracker = joint_pipeline({});
