@@ -80,7 +80,7 @@ double miss_probability_beside(double speed) {
 
 TEST(SensorLearning, WhatStandsTeachesNoMisses) {
   EXPECT_DOUBLE_EQ(miss_probability_beside(0.0), 0.5);  // As before anything is learnt.
-  EXPECT_LT(miss_probability_beside(1.0), 0.1);        // 30 scans and four trials of one half: .06.
+  EXPECT_LT(miss_probability_beside(1.0), 0.1);         // 30 scans and four trials of one half: .06.
 }
 
 }  // namespace
