@@ -11,8 +11,8 @@
 
 namespace lookout::csht {
 
-/// Learns the sensor's figures: P_F from beams that no track owns, P_M and sigma from tracks that probably
-/// exist, move over ground and do not accelerate.
+/// Learns the sensor's figures: P_M and sigma from tracks that probably exist, move over ground and do not
+/// accelerate, P_F from beams that none of these owns.
 class SensorLearning {
  public:
   /// @param params validated. @param sonar its figures, where given, are used until the scans contradict
