@@ -1,7 +1,6 @@
 """What a tracker needs for a scan while two clients look on, one of them stalled, and while none does, in one run: the time
 that passes and the tracker's own CPU time, which other programs on the machine do not lengthen by making it wait."""
 import math
-import pathlib
 import select
 import socket
 import statistics
@@ -11,9 +10,11 @@ import time
 # Short blocks, for a machine's load drifts. A stalled client costs most while its buffers fill: before it is cut off.
 SETTLE_S, BLOCK_S = 0.1, 0.25
 FEWEST_PAIRS, MOST_PAIRS = 40, 300
+TOLD_EVERY = 100          # Pairs.
 FEWEST_SCANS = 10         # Of a block that says something.
 SMALL_MAGIC = 0x4C433032  # "LC02": a message of one datagram.
-SO_TIMESTAMPNS = 35       # Linux's; a name that Python does not have.
+SO_TIMESTAMPNS = 35       # Linux's, as the next; names that Python does not have.
+CPU_CLOCK_OF_PROCESS = 2  # CPUCLOCK_SCHED beside a process's number.
 MAD_TO_SIGMA, MEDIAN_TO_MEAN = 1.4826, 1.2533  # Of a normal law: sigma over MAD; error of the median over the mean's.
 
 
@@ -69,8 +70,8 @@ def ratio_and_error(ratios):
 
 
 def cpu_ms(pid):
-    """CPU time of all threads of a process so far, by the kernel's count of nanoseconds."""
-    return 1e-6 * sum(int(task.joinpath("schedstat").read_text().split()[0]) for task in pathlib.Path(f"/proc/{pid}/task").iterdir())
+    """CPU time of a process so far, threads that have ended included: what clock_getcpuclockid(3) reads, to the nanosecond."""
+    return 1e3 * time.clock_gettime(~pid << 3 | CPU_CLOCK_OF_PROCESS)
 
 
 def block(listener, tracker, clients):
@@ -86,20 +87,22 @@ def block(listener, tracker, clients):
     return (statistics.median(found), used / len(found)) if len(found) >= FEWEST_SCANS else None
 
 
-def compare(listener, tracker, clients, largest_error):
+def compare(listener, tracker, clients, largest_error, most_pairs=MOST_PAIRS):
     """What scans cost with clients over what they cost without: (log ratio, standard error) of latency and of CPU time, and pairs.
 
     tracker is a process; clients() opens clients and returns them. Blocks come in turns (without, with, with, without),
-    so that what drifts falls on both; pairs are taken until both errors are at most largest_error, MOST_PAIRS at most.
+    so that what drifts falls on both; pairs are taken until both errors are at most largest_error, most_pairs at most.
     """
     ratios, ends = [], ((0.0, math.inf), (0.0, math.inf))
-    for pair in range(MOST_PAIRS):
+    for pair in range(most_pairs):
         turns = (None, clients) if pair % 2 == 0 else (clients, None)
         costs = {turn is clients: block(listener, tracker, turn) for turn in turns}
         if None not in costs.values():
             ratios.append([math.log(a / b) for a, b in zip(costs[True], costs[False])])
         if len(ratios) >= FEWEST_PAIRS:
             ends = tuple(ratio_and_error(each) for each in zip(*ratios))
+        if pair % TOLD_EVERY == TOLD_EVERY - 1:
+            print(f"   after {len(ratios)} pairs standard errors of " + " and ".join(f"{error:.4f}" for _, error in ends), flush=True)
         if max(error for _, error in ends) <= largest_error:
             break
     return *ends, len(ratios)
