@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 """Draws a run, a replay or anyone's recording: map, scores, counts and the existence of each track over time.
 
-Usage: plot_run.py DIRECTORY [--scores FILE.csv] [--title TEXT] FILE.png|FILE.pdf|FILE.gif ...
+Usage: plot_run.py DIRECTORY|FILE.csv [--scores FILE.csv] [--title TEXT] FILE.png|FILE.pdf|FILE.gif ...
 
 Reads what there is of scans.csv, vehicle.csv, truth.csv, tracks.csv, ospa.csv and sonar.yaml, and leaves out of the
-picture what is missing. A GIF is the map over time. Exit status 2 with one line where nothing can be drawn.
+picture what is missing; one file alone is returns, tracks or scores, by its columns. A GIF is the map over time. Exit status 2 with one line where nothing can be drawn.
 """
 import pathlib
 import sys

@@ -70,6 +70,20 @@ def draw_track(axes, run, number, identity, rows):
             axes.plot(*curve, color=colour, linewidth=0.5, alpha=0.6, zorder=3)
 
 
+def draw_nameless(axes, table, colour):
+    """What says where but not who."""
+    there = ~np.isfinite(table["id"])
+    if table.has("north_m", "east_m") and there.any():
+        axes.plot(table["east_m"][there], table["north_m"][there], ".", color=colour, markersize=3, zorder=3)
+
+
+def label_map(axes, run):
+    unit = "px" if run.in_pixels else "m"
+    axes.set(xlabel=f"x [{unit}]" if run.in_pixels else "east [m]", ylabel=f"y [{unit}]" if run.in_pixels else "north [m]")
+    if run.in_pixels and not axes.yaxis_inverted():
+        axes.invert_yaxis()
+
+
 def draw_map(axes, run):
     times = run.times()
     for number, time in enumerate((times[0], times[-1]) if len(times) else ()):
@@ -84,10 +98,12 @@ def draw_map(axes, run):
     draw_truth(axes, run)
     for number, (identity, rows) in enumerate(by_id(run.tracks, run.tracks.sure())):
         draw_track(axes, run, number, identity, rows)
-    axes.set(xlabel="east [m]", ylabel="north [m]")
+    draw_nameless(axes, run.truth, "0.2")
+    draw_nameless(axes, run.tracks, "tab:green")
     axes.set_aspect("equal", adjustable="datalim")
     if axes.get_legend_handles_labels()[0]:
         axes.legend(loc="best", fontsize=7)
+    label_map(axes, run)
 
 
 def draw_moment(axes, run, time):
@@ -109,7 +125,7 @@ def draw_moment(axes, run, time):
         rows = rows[then[rows]]
         if len(rows) and abs(tracks["time_s"][rows[-1]] - time) < FADE_S / 2:
             draw_track(axes, run, number, identity, rows)
-    axes.set(xlabel="east [m]", ylabel="north [m]", title=f"{time:.1f} s")
+    axes.set_title(f"{time:.1f} s")
 
 
 def limits(run):
@@ -132,6 +148,7 @@ def animate(run, path):
         axes.clear()
         draw_moment(axes, run, time)
         axes.set(xlim=(low[1], high[1]), ylim=(low[0], high[0]), aspect="equal")
+        label_map(axes, run)
 
     FuncAnimation(figure, moment, frames=times).save(path, writer=PillowWriter(fps=10), dpi=80)
     plt.close(figure)

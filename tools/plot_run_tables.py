@@ -6,6 +6,8 @@ import sys
 
 import numpy as np
 
+KNOWN = {"time_s", "north_m", "east_m", "bearing_rad", "bearing_deg", "range_m", "x_px", "total"}  # Names of a header.
+
 
 def warn(line):
     print(f"plot_run.py: {line}", file=sys.stderr)
@@ -13,37 +15,49 @@ def warn(line):
 
 def to_float(text):
     try:
-        return float(text)
+        return float(text.replace("\u2212", "-"))
     except ValueError:
         return math.nan
+
+
+def names_of(line):
+    """The names of a header line in small letters, and what separates them: whatever stands most often."""
+    separator = max(",;\t|", key=line.count)
+    return [name.strip().lower() for name in next(csv.reader([line], delimiter=separator, skipinitialspace=True), [])], separator
+
+
+def header_and_rows(text):
+    """Names, separator and rows as docs/formats.md says: remarks behind `#`, `sep=;`, a header behind `#`."""
+    lines = [line for line in text.replace("\0", "").splitlines() if line.strip() and not line.lower().startswith("sep=")]
+    while lines and lines[0].lstrip().startswith("#") and not KNOWN & set(names_of(lines[0].strip(" #"))[0]):
+        lines.pop(0)
+    if not lines:
+        return [], ",", []
+    names, separator = names_of(lines[0].strip(" #"))
+    body = [line for line in lines[1:] if not line.lstrip().startswith("#")]
+    return names, separator, list(csv.reader(body, delimiter=separator, skipinitialspace=separator != "\t"))
 
 
 class Table:
     """The columns of a CSV file as arrays of floats, what is no number as nan; texts of `status` as they are."""
 
-    def __init__(self, path):
+    def __init__(self, path=None):
         self.columns = {}
         self.status = []
-        if not path.is_file():
+        if path is None or not path.is_file():
             return
         try:
-            with open(path, newline="", encoding="utf-8-sig", errors="replace") as file:
-                text = file.read()
-            semicolons = ";" in text.split("\n", 1)[0]
-            rows = list(csv.reader(text.replace("\0", "").splitlines(), delimiter=";" if semicolons else ","))
+            names, separator, rows = header_and_rows(path.read_text(encoding="utf-8-sig", errors="replace"))
         except (OSError, csv.Error) as error:
             warn(f"{path}: {error}")
             return
-        if not rows:
-            return
-        header, body = [name.strip() for name in rows[0]], rows[1:]
-        for k, name in enumerate(header):
-            values = [row[k].strip() if k < len(row) else "" for row in body]
-            if semicolons:
+        for k, name in enumerate(names):
+            values = [row[k].strip() if k < len(row) else "" for row in rows]
+            if name == "status":
+                self.status = [value.lower() for value in values]
+            if separator != ",":
                 values = [value.replace(",", ".") for value in values]
             self.columns[name] = np.array([to_float(value) for value in values])
-            if name == "status":
-                self.status = values
         for name in [name for name in self.columns if name.endswith("_deg")]:
             self.columns.setdefault(name[:-4] + "_rad", np.radians(self.columns[name]))
 
@@ -78,30 +92,42 @@ def read_sonar(path):
     return figures
 
 
-class Run:
-    """What a directory holds."""
+NEEDED = {"scans": ("time_s", "bearing_rad", "range_m"), "vehicle": ("north_m", "east_m"), "truth": ("time_s", "north_m", "east_m"),
+          "tracks": ("time_s", "north_m", "east_m"), "ospa": ("time_s", "total")}
 
-    def __init__(self, directory, scores):
-        self.scans = Table(directory / "scans.csv")
-        self.vehicle = Table(directory / "vehicle.csv")
-        self.truth = Table(directory / "truth.csv")
-        self.tracks = Table(directory / "tracks.csv")
-        self.ospa = Table(scores) if scores and scores.is_file() else Table(directory / "ospa.csv")
-        self.sonar = read_sonar(directory / "sonar.yaml")
+
+def kind_of(table):
+    """Which file of a directory a table stands for that came alone."""
+    return next((kind for kind in ("scans", "ospa") if table.has(*NEEDED[kind])), "tracks")
+
+
+class Run:
+    """What a directory holds, or one file of returns, tracks or scores."""
+
+    def __init__(self, path, scores):
+        alone = Table(path) if path.is_file() else None
+        self.in_pixels = alone is not None and alone.has("x_px", "y_px")
+        if self.in_pixels:  # Tracks of an image sequence; y goes down.
+            alone.columns.update(east_m=alone["x_px"], north_m=alone["y_px"])
+        for kind in NEEDED:
+            table = Table(path / f"{kind}.csv") if alone is None else alone if kind == kind_of(alone) else Table()
+            setattr(self, kind, table)
+        if scores and scores.is_file():
+            self.ospa = Table(scores)
+        self.sonar = read_sonar(path / "sonar.yaml")
         self.returns = self.placed_returns()
 
     def empty(self):
         return not (len(self.returns) or self.vehicle.has("north_m", "east_m") or self.ospa.has("time_s", "total")
                     or any(table.has("time_s", "north_m", "east_m") for table in (self.truth, self.tracks)))
 
-    def lacks(self, directory):
+    def lacks(self, path):
         """What the files lack that are there, for a person."""
-        needed = {"scans.csv": (self.scans, "time_s", "bearing_rad", "range_m"), "vehicle.csv": (self.vehicle, "north_m", "east_m"),
-                  "truth.csv": (self.truth, "time_s", "north_m", "east_m"), "tracks.csv": (self.tracks, "time_s", "north_m", "east_m"),
-                  "ospa.csv": (self.ospa, "time_s", "total")}
-        parts = [f"{name} without a number in {', '.join(column for column in columns if not table.has(column))}"
-                 for name, (table, *columns) in needed.items() if (directory / name).is_file()]
-        return "; ".join(parts) or f"expected {', '.join(needed)}"
+        if path.is_file():
+            return "expected columns time_s with bearing_rad or bearing_deg and range_m, or with north_m and east_m"
+        parts = [f"{kind}.csv without a number in {', '.join(name for name in columns if not getattr(self, kind).has(name))}"
+                 for kind, columns in NEEDED.items() if (path / f"{kind}.csv").is_file()]
+        return "; ".join(parts) or f"expected {', '.join(f'{kind}.csv' for kind in NEEDED)}"
 
     def pose(self, times):
         """Vehicle north, east, heading at `times`; the origin, looking north, where there is no vehicle.csv."""

@@ -5,6 +5,8 @@ usage: plot_test.py LOOKOUT SCENARIO. Status 77 where matplotlib is missing.
 """
 import importlib
 import itertools
+import math
+import os
 import pathlib
 import re
 import shutil
@@ -117,9 +119,36 @@ def check_oddities(module, folder):
     check(draw(module, odd, odd / "c.png") == 0, "no CSV at all beside it")
 
 
+def check_alone(module, folder):
+    """Someone's CSV without truth and without poses: returns from the origin, tracks, tracks without identity, in pixels."""
+    contents = {"returns.csv": "# a sonar on a quay\nTime_s\tBearing_deg\tRange_m\n0\t10\t30\n1\t11\t31\n# the end\n2\t\u22122\t32\n",
+                "tracks.csv": "time_s,id,north_m,east_m\n0,1,1,2\n1,1,2,3\n", "places.CSV": "time_s,north_m,east_m\n0,1,2\n1,2,3\n",
+                "pixels.csv": "time_s,id,x_px,y_px,vx_px,vy_px,existence\n2,1,70,49,0,0,0.9\n3,1,71,50,0,0,0.9\n"}
+    for name, text in contents.items():
+        (folder / name).write_text(text, encoding="utf-8")
+        check(draw(module, folder / name, folder / f"{name}.png") == 0 and is_picture(folder / f"{name}.png"), f"{name} alone")
+    check(draw(module, folder / "pixels.csv", folder / "pixels.gif") == 0, "and as an animation")
+    returns = importlib.import_module("plot_run_tables").Run(folder / "returns.csv", None).returns
+    check(len(returns) == 3 and abs(returns[2, 2] + 32 * math.sin(math.radians(2))) < 1e-9, f"as the table says: {returns}")
+    result = lookout("plot", folder / "places.CSV", "--out", folder / "alone.png")
+    check(result.returncode == 0 and is_picture(folder / "alone.png"), f"by the program: {result.stderr.strip()}")
+    (folder / "none.csv").write_text("a,b\n1,2\n")
+    check(draw(module, folder / "none.csv", folder / "none.png") == 2, "a CSV that says nothing of ours is told")
+
+
+def check_without_matplotlib(run, folder):
+    """A Python that has no matplotlib: one clear line."""
+    (folder / "bare").mkdir()
+    (folder / "bare" / "matplotlib.py").write_text("raise ImportError(\"No module named 'matplotlib'\")\n")
+    result = subprocess.run([LOOKOUT, "plot", str(run)], capture_output=True, text=True, check=False,
+                            env={**os.environ, "PYTHONPATH": str(folder / "bare")})
+    check(result.returncode != 0 and "install python3-numpy and python3-matplotlib" in result.stderr and "Traceback" not in result.stderr,
+          f"without matplotlib a line says what to install: {result.stderr.strip()}")
+
+
 def check_usage(run):
     for words in (["plot", "/no/such"], ["plot", run, "--out", "a.jpg"], ["plot", ROOT / "README.md"], ["plot", run, "--cutoff", "0"],
-                  ["plot", ROOT / "docs"], ["plot", run, "--out", "/no/such/a.png"]):
+                  ["plot", ROOT / "docs"], ["plot", run, "--channel-prefix", "A_"], ["plot", run, "--out", "/no/such/a.png"]):
         result = lookout(*words)
         check(result.returncode == 2 and result.stderr.count("\n") == 1, f"status 2, one line: {result.stderr.strip()}")
 
@@ -136,6 +165,8 @@ def main():
         check_images(folder)
         check_parts(module, run, folder)
         check_oddities(module, folder)
+        check_alone(module, folder)
+        check_without_matplotlib(run, folder)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
     print("passed")

@@ -18,11 +18,13 @@ namespace {
 struct LogContent {
   core::Recording recording;
   std::vector<lcmtypes::KeyedTracks> tracks;
+  std::vector<lcmtypes::KeyedTracks> global_tracks;  ///< Of the fusion, drawn where there are no others.
   std::vector<lcmtypes::OspaReport> ospa;
   std::vector<std::string> left_out;  ///< A line for each kind.
 
   bool empty() const {
-    return recording.scans.empty() && recording.vehicle.empty() && tracks.empty() && ospa.empty();
+    return recording.scans.empty() && recording.vehicle.empty() && tracks.empty() && global_tracks.empty() &&
+           ospa.empty();
   }
 };
 
@@ -39,6 +41,9 @@ LogContent read(const std::string& path, const lcmtypes::Channels& channels) {
   });
   inbox.on<track_list_t>(channels.tracks(),
                          [&](lcmtypes::KeyedTracks tracks) { content.tracks.push_back(std::move(tracks)); });
+  inbox.on<track_list_t>(lcmtypes::Channels::kGlobalTracks, [&](lcmtypes::KeyedTracks tracks) {
+    content.global_tracks.push_back(std::move(tracks));
+  });
   inbox.on_read(channels.ospa(), &lcmtypes::read_ospa,
                 [&](const lcmtypes::OspaReport& report) { content.ospa.push_back(report); });
   lcmtypes::LogReader log(path);
@@ -98,7 +103,7 @@ std::vector<std::string> write_log_tables(const std::string& log, const std::str
   const lcmtypes::Channels channels(channel_prefix);
   LogContent content = read(log, channels);
   if (content.empty())
-    throw core::InputError(log + ": holds no SONAR_SCAN, VEHICLE_STATE, TRACKS or OSPA" +
+    throw core::InputError(log + ": holds no SONAR_SCAN, VEHICLE_STATE, TRACKS, OSPA or GLOBAL_TRACKS" +
                            (channel_prefix.empty() ? "; perhaps a --channel-prefix is needed"
                                                    : " with the prefix " + channel_prefix));
   if (const std::size_t back = keep_in_order(content.recording.vehicle); back > 0)
@@ -107,7 +112,8 @@ std::vector<std::string> write_log_tables(const std::string& log, const std::str
   if (!content.recording.scans.empty())
     content.recording.params = core::with_geometry_of(content.recording.scans.front(), {});
   core::write_recording(directory, content.recording);
-  if (!content.tracks.empty()) write_tracks(directory + "/tracks.csv", content.tracks);
+  const auto& tracks = content.tracks.empty() ? content.global_tracks : content.tracks;
+  if (!tracks.empty()) write_tracks(directory + "/tracks.csv", tracks);
   if (!content.ospa.empty()) write_ospa(directory + "/ospa.csv", content.ospa);
   return content.left_out;
 }

@@ -20,7 +20,8 @@ void declare_status(CLI::App& app, Options& options) {
 }
 
 void declare_plot(CLI::App& app, Options& options) {
-  app.add_option("INPUT", options.inputs, "Directory of run, replay or anyone's recording, or an LCM log")
+  app.add_option("INPUT", options.inputs,
+                 "Directory of run, replay or anyone's recording, a CSV file, or an LCM log")
       ->expected(1)
       ->required();
   app.add_option("--out", options.out,

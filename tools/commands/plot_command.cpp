@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <vector>
 
@@ -86,6 +87,21 @@ bool shows_images_alone(const std::string& directory) {
          !fs::exists(directory + "/tracks.csv");
 }
 
+bool is_table(const std::string& input) {
+  std::string ending = fs::path(input).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return std::tolower(letter); });
+  return ending == ".csv";
+}
+
+void require_input(const std::string& input, const Options& options) {
+  if (!fs::is_directory(input) && !fs::is_regular_file(input))
+    throw core::InputError(
+        input + ": is not there; expected a directory of recordings or tracks, a CSV file, or an LCM log");
+  if (!options.channel_prefix.empty() && (fs::is_directory(input) || is_table(input)))
+    throw core::InputError("--channel-prefix: chooses channels of an LCM log, which " + input + " is not");
+}
+
 /// Draws with a script of the tools directory. @return the exit status.
 int draw(const std::string& script, std::vector<std::string> arguments,
          const std::vector<std::string>& files) {
@@ -99,24 +115,21 @@ int draw(const std::string& script, std::vector<std::string> arguments,
 
 int plot_command(const Options& options) {
   const std::string input = options.inputs.at(0);
+  require_input(input, options);
   const bool is_directory = fs::is_directory(input);
-  if (!is_directory && !fs::is_regular_file(input))
-    throw core::InputError(input +
-                           ": is not there; expected a directory of recordings or tracks, or an LCM log");
   const bool images_alone = is_directory && shows_images_alone(input);
   if (is_directory && !images_alone) require_something_to_draw(input);
   const auto files = outputs(options, fs::path(input), is_directory);
+  const std::string title = fs::path(input).lexically_normal().string();
   if (images_alone) return draw("plot_images.py", {input}, files);
+  if (!is_directory && is_table(input)) return draw("plot_run.py", {input, "--title", title}, files);
   const TemporaryDirectory scratch("lookout_plot_");
   const std::string directory = is_directory ? input : scratch.path();
   if (!is_directory)
     for (const auto& line : write_log_tables(input, options.channel_prefix, directory))
       log_warning("plot: " + line);
   score(directory, options, scratch.file("scores.csv"));
-  return draw("plot_run.py",
-              {directory, "--scores", scratch.file("scores.csv"), "--title",
-               fs::path(input).lexically_normal().string()},
-              files);
+  return draw("plot_run.py", {directory, "--scores", scratch.file("scores.csv"), "--title", title}, files);
 }
 
 }  // namespace lookout::tools

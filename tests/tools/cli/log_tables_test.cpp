@@ -33,6 +33,25 @@ TEST(LogTables, AreTheRecordingAndTheTracksWithTheirCovariance) {
   EXPECT_THROW(write_log_tables(directory.file("log"), "AUV1_", directory.path()), core::InputError);
 }
 
+TEST(LogTables, TakeTheTracksOfTheFusionWhereThereAreNoOthers) {
+  const tests::TemporaryDirectory directory;
+  const core::Track of_fusion = tests::example_track(8), own = tests::example_track(7);
+  constexpr std::array<std::string_view, 1> kColumns{"id"};
+  for (const bool has_own : {false, true}) {
+    {
+      lcm::LogFile file(directory.file("log"), "w");
+      const auto message = [](const core::Track& track) {
+        return lcmtypes::to_wire({2'000'000, 4, 0}, std::span(&track, 1)).message;
+      };
+      tests::log_message(file, "GLOBAL_TRACKS", message(of_fusion));
+      if (has_own) tests::log_message(file, "TRACKS", message(own));
+    }
+    write_log_tables(directory.file("log"), "", directory.path());
+    const core::CsvTable table(directory.file("tracks.csv"), kColumns);
+    EXPECT_EQ(table.integer(0, "id"), has_own ? own.id : of_fusion.id);
+  }
+}
+
 TEST(LogTables, TellWhatIsNotInThem) {
   const tests::TemporaryDirectory directory;
   {
