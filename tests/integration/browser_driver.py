@@ -105,6 +105,14 @@ class Browser:
         self.post(self.session + "/actions", {"actions": [{"type": "pointer", "id": "mouse", "actions": [
             at, {"type": "pointerDown", "button": 0}, {"type": "pointerUp", "button": 0}]}]})
 
+    def pinch(self, x, y, before, after):
+        """Two fingers about a place of the window, so far apart before and after [pixels]."""
+        def finger(name, side):
+            at = [{"type": "pointerMove", "duration": 50, "x": round(x + side * width / 2), "y": round(y)} for width in (before, after)]
+            return {"type": "pointer", "id": name, "parameters": {"pointerType": "touch"},
+                    "actions": [at[0], {"type": "pointerDown", "button": 0}, at[1], {"type": "pointerUp", "button": 0}]}
+        self.post(self.session + "/actions", {"actions": [finger("left", -1), finger("right", 1)]})
+
     def screenshot(self, path):
         path.write_bytes(base64.b64decode(self.request("GET", self.session + "/screenshot")))
 

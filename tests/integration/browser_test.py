@@ -185,6 +185,19 @@ def choose_a_track(browser):
     check(colour is None or colour[1] > 150, f"the track is drawn where it is: {colour}")
 
 
+def check_map(browser):
+    """Two fingers zoom; bow up and back."""
+    box = browser.run("const box = document.getElementById('map').getBoundingClientRect(); return [box.left + box.width / 2, box.top + box.height / 2];")
+    before = browser.run("return lookout.map.scale")
+    browser.pinch(*box, 100, 200)
+    zoomed = browser.run("return lookout.map.scale") / before
+    check(abs(zoomed - 2.0) < 0.2, f"two fingers twice as far apart show it twice as large: {zoomed:.2f}")
+    browser.pinch(*box, 200, 100)
+    for up in (True, False):
+        browser.click("#orient")
+        check(browser.run("return lookout.map.bowUp") == up, "bow up" if up else "and north up")
+
+
 DECISIONS = "return Array.from(document.getElementById('decisions').children).map((line) => line.textContent);"
 
 
@@ -229,6 +242,7 @@ def watch_live(lookout, scenario, browser, folder, screenshot):
     watch = start_watch(lookout, [], WATCH_PORT)
     browser.go(f"http://127.0.0.1:{WATCH_PORT}/")
     browser.wait("return lookout.picture.scan && lookout.picture.tracks", "the page hears a live chain")
+    check_map(browser)
     choose_a_track(browser)
     check_decisions(browser)
     check_clutter(browser)

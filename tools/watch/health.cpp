@@ -16,6 +16,12 @@ std::string seconds_text(double value) {
   return text;
 }
 
+std::string milliseconds_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f ms", value);
+  return text;
+}
+
 /// The channel on which pings come: images where no scan was ever heard.
 HeardChannel pings(const Heard& heard) {
   const HeardChannel scans = heard.channel(Topic::scan);
@@ -56,8 +62,8 @@ void complain_of_node(const std::string& key, const HeardNode& node, double gap,
     lines.push_back(key + ": refused " + std::to_string(more) + " messages while watched" +
                     (status.last_error.empty() ? "" : ", last: " + status.last_error));
   if (period > 0.0 && status.latency_ms_p99 * 1e-3 > period)
-    lines.push_back(key + ": p99 latency " + seconds_text(status.latency_ms_p99 * 1e-3) + " is above the " +
-                    seconds_text(period) + " between pings");
+    lines.push_back(key + ": p99 latency " + milliseconds_text(status.latency_ms_p99) + " is above the " +
+                    milliseconds_text(period * 1e3) + " between pings");
 }
 
 void complain_of_nodes(const Heard& heard, Heard::Clock::time_point now, const HealthLimits& limits,

@@ -263,10 +263,34 @@ $("tracks").addEventListener("click", (event) => {
 });
 
 let drag = null;
-$("map").addEventListener("pointerdown", (event) => { drag = {x: event.offsetX, y: event.offsetY, moved: false}; });
+const fingers = new Map();    // Where each is on the map: two of them zoom.
+
+function spread() {
+  const [a, b] = [...fingers.values()];
+  return Math.hypot(a.x - b.x, a.y - b.y);
+}
+
+function pinch(event) {
+  const before = spread();
+  fingers.set(event.pointerId, {x: event.offsetX, y: event.offsetY});
+  if (before > 0) map.zoom(spread() / before);
+  drag.moved = drag.pinched = dirty = true;
+}
+
+function release(event) {
+  fingers.delete(event.pointerId);
+  if (!fingers.size) drag = null;
+}
+
+$("map").addEventListener("pointerdown", (event) => {
+  fingers.set(event.pointerId, {x: event.offsetX, y: event.offsetY});
+  if (fingers.size === 1) drag = {x: event.offsetX, y: event.offsetY, moved: false};
+});
 $("map").addEventListener("pointermove", (event) => {
   if (!drag || !event.buttons) return;
+  if (fingers.size === 2) return pinch(event);
   if (!drag.moved && Math.hypot(event.offsetX - drag.x, event.offsetY - drag.y) < 4) return;
+  if (fingers.size > 2 || drag.pinched) return;
   drag.moved = true;
   map.follow = false;
   $("follow").classList.remove("on");
@@ -276,8 +300,10 @@ $("map").addEventListener("pointermove", (event) => {
 });
 $("map").addEventListener("pointerup", (event) => {
   if (drag && !drag.moved) choose(map.trackAt(shownTracks(), event.offsetX, event.offsetY));
-  drag = null;
+  release(event);
 });
+$("map").addEventListener("pointercancel", release);
+$("map").addEventListener("pointerleave", release);
 $("map").addEventListener("wheel", (event) => {
   event.preventDefault();
   map.zoom(Math.exp(-event.deltaY * 0.0015));
