@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Computes every figure of a comparison again from curves.csv, with SciPy, and compares threads and shards.
 
-Usage: compare_test.py LOOKOUT SCENES_DIR. Exits 77 where NumPy or SciPy is not installed.
+Usage: compare_test.py LOOKOUT SCENES_DIR [RUNS], a cell, of a comparison of two scenes and four methods. Exits 77 where NumPy or SciPy is not installed.
 """
 import collections
 import csv
@@ -218,10 +218,10 @@ def check_first_run(program, scene, directory, curves):
 
 
 def main():
-    program, scenes = sys.argv[1], pathlib.Path(sys.argv[2])
+    program, scenes, runs = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3] if len(sys.argv) > 3 else str(RUNS)
     files = [str(scenes / "crossing.yaml"), str(scenes / "overtaking.yaml")]
     words = ["compare", *files, *(word for method in METHODS for word in ("--method", method)),
-             "--runs", str(RUNS), "--seed", "1000"]
+             "--runs", runs, "--seed", "1000"]
     with tempfile.TemporaryDirectory() as folder:
         folder = pathlib.Path(folder)
         alone = folder / "alone"

@@ -52,7 +52,7 @@ wait_until() { # COMMAND...
 works_on_shard() { # NAME NUMBER
   local pid
   for pid in $(ip netns pids "$1$2"); do
-    [ "$(cat "/proc/$pid/comm" 2> /dev/null)" != lookout ] || ! grep -qa -- --shard "/proc/$pid/cmdline" || return 0
+    [ "$(cat "/proc/$pid/comm" 2> /dev/null)" != lookout ] || ! grep -qas -- --shard "/proc/$pid/cmdline" || return 0
   done
   return 1
 }
