@@ -6,6 +6,8 @@ import java.awt.event.ActionEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import javax.imageio.ImageIO;
 import javax.swing.JDesktopPane;
 import javax.swing.JFrame;
@@ -33,6 +35,8 @@ public final class PanelTest {
     private static final double RANGE = 100.0;
     private static final double FILL = 0.9;  // The share of the panel's smaller side that the range takes.
 
+    private static final SpyPlugin[] PLUGINS = {new MapPlugin(), new ImagePlugin(), new OspaPlugin(), new StatusPlugin()};
+
     private static JDesktopPane desktop;
     private static String folder;
 
@@ -48,6 +52,7 @@ public final class PanelTest {
             window.setVisible(true);
         });
         testNames();
+        testEveryChannel();
         testMap();
         testMapOfImages();
         testClutterMap();
@@ -117,12 +122,31 @@ public final class PanelTest {
     // --- the tests ----------------------------------------------------------------------------------------------
 
     private static void testNames() {
-        for (SpyPlugin plugin : new SpyPlugin[] {new MapPlugin(), new ImagePlugin(), new OspaPlugin(), new StatusPlugin()}) {
+        for (SpyPlugin plugin : PLUGINS) {
             check(plugin.getAction(null, null) != null, "its name can be read before there is a channel");
         }
         check(MapPanel.prefixOf("AUV1_GLOBAL_TRACKS").equals("AUV1_"), "a channel's prefix is known");
         check(new MapPlugin().canHandle(motion_elements_t.LCM_FINGERPRINT), "the map takes MOTION_ELEMENTS");
         check(!new MapPlugin().canHandle(ospa_t.LCM_FINGERPRINT), "the map leaves OSPA alone");
+    }
+
+    /** Each channel has the panel that docs/watching.md promises, and no second one; it opens before anything is heard, and closes. */
+    private static void testEveryChannel() throws Exception {
+        Map<String, Long> channels = new LinkedHashMap<>();
+        channels.put("SONAR_SCAN", sonar_scan_t.LCM_FINGERPRINT);
+        channels.put("TRACKS", track_list_t.LCM_FINGERPRINT);
+        channels.put("MOTION_ELEMENTS", motion_elements_t.LCM_FINGERPRINT);
+        channels.put("SONAR_IMAGE", sonar_image_t.LCM_FINGERPRINT);
+        channels.put("GLOBAL_TRACKS", track_list_t.LCM_FINGERPRINT);
+        channels.put("CLUTTER_MAP", clutter_map_t.LCM_FINGERPRINT);
+        channels.put("OSPA", ospa_t.LCM_FINGERPRINT);
+        channels.put("LOOKOUT_STATUS", node_status_t.LCM_FINGERPRINT);
+        for (Map.Entry<String, Long> channel : channels.entrySet()) {
+            SpyPlugin[] takers = Arrays.stream(PLUGINS).filter(each -> each.canHandle(channel.getValue())).toArray(SpyPlugin[]::new);
+            check(takers.length == 1, channel.getKey() + " has one panel");
+            open(takers[0], channel.getKey(), channel.getValue());
+            close();
+        }
     }
 
     private static vehicle_state_t vehicle(double heading) {
