@@ -19,6 +19,9 @@ install(EXPORT lookout_targets NAMESPACE lookout:: FILE lookout_targets.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lookout)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/lookout_config.cmake.in
   ${PROJECT_BINARY_DIR}/lookout-config.cmake INSTALL_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lookout)
+# The build folder is found as well (HINTS build), with lookout::plugin alone: a plug-in needs no installation.
+export(TARGETS lookout_plugin NAMESPACE lookout:: FILE ${PROJECT_BINARY_DIR}/lookout_targets.cmake)
+configure_file(${CMAKE_CURRENT_LIST_DIR}/FindLCM.cmake ${PROJECT_BINARY_DIR}/FindLCM.cmake COPYONLY)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/lookout-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/lookout-config.cmake ${PROJECT_BINARY_DIR}/lookout-config-version.cmake
   ${PROJECT_SOURCE_DIR}/cmake/FindLCM.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/lookout)
