@@ -38,7 +38,7 @@ inline void say_healthy(Heard& heard, int scans) {
   for (int k = 0; k < scans; ++k) {
     const double second = 0.5 * k;
     core::SonarScan scan = tests::example_scan();
-    scan.utime = 500'000 * k;
+    scan.utime = std::int64_t{500'000} * k;
     scan.sequence = k;
     core::VehicleState state{scan.utime, {10.0, 20.0, 0.0}, {1.0, 0.0}};
     core::Track track = tests::example_track(7);
