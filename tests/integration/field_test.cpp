@@ -110,6 +110,11 @@ TEST_F(Field, SlowSonarsAreTrackedAtTheirOwnPaceAndThatIsSaid) {
     const auto result = replay({.period = period, .walk = 0.4 / period});
     EXPECT_EQ(long_lives(30), 2) << period << "\n" << result.err;
     EXPECT_EQ(lines_with(result, "tracking goes by that"), 1) << result.err;
+    EXPECT_EQ(lines_with(result, "new clock"), 0) << result.err;
+    const auto again = run_lookout("replay " + folder_.file("out") + " --out " + folder_.file("again"));
+    EXPECT_EQ(text_of(folder_.file("out/tracks.csv")), text_of(folder_.file("again/tracks.csv")))
+        << period << "\n"
+        << again.err;
   }
 }
 

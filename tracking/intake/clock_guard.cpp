@@ -34,7 +34,8 @@ void ClockGuard::watch_slow_pace(std::int64_t utime) {
   const std::int64_t leap = utime - (num_suspects_ > 0 ? newest_suspect_ : *last_);
   const std::int64_t shorter = std::min(leap, leap_), longer = std::max(leap, leap_);
   leap_ = leap;
-  if (shorter > params_.max_step && longer < kAlike * shorter && longer <= kSlowest) slow_ = kPause * longer;
+  if (kPause * shorter > params_.max_step && longer < kAlike * shorter && longer <= kSlowest)
+    slow_ = kPause * longer;
 }
 
 void ClockGuard::believe(std::int64_t utime) {

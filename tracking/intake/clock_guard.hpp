@@ -20,7 +20,7 @@ struct ClockGuardParams {
 
 /// Judges the times of one stream, in the order of their arrival. A time that goes back or leaps ahead is
 /// suspect; when enough suspects in a row follow one another, the stream has made a pause or is on a new
-/// clock. Two leaps in a row that are alike, each above `max_step`, are a slow stream's pace.
+/// clock. Two leaps in a row that are alike, each above a third of `max_step`, are a slow stream's pace.
 class ClockGuard {
  public:
   /// What a time is to those before it.

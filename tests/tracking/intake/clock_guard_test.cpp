@@ -58,6 +58,16 @@ TEST(ClockGuard, FindsAPaceBelowTheLongestStepFromTwoStepsThatAreAlike) {
     EXPECT_EQ(guard.judge(second * kSecond), Verdict::in_order);
 }
 
+TEST(ClockGuard, FindsAPaceOfWhichTwoStepsAreLongerThanTheLongest) {
+  for (const std::int64_t pace : {40, 60}) {
+    ClockGuard guard;
+    EXPECT_EQ(guard.judge(0), Verdict::in_order);
+    EXPECT_EQ(guard.judge(pace * kSecond), Verdict::suspect);
+    EXPECT_EQ(guard.judge(2 * pace * kSecond), Verdict::resumed) << pace;
+    EXPECT_EQ(guard.judge(3 * pace * kSecond + kSecond), Verdict::in_order) << pace;
+  }
+}
+
 TEST(ClockGuard, TakesNoTwoLeapsThatDifferForAPace) {
   ClockGuard guard;
   for (const std::int64_t second : {0, 1, 2}) guard.judge(second * kSecond);
