@@ -21,7 +21,8 @@ bool is_valid(const target_truth_t& wire) {
 }  // namespace
 
 Converted<core::VehicleState> to_core(const vehicle_state_t& wire) {
-  if (!is_time(wire.utime)) return {{}, "vehicle state: time out of range"};
+  if (!is_time(wire.utime))
+    return {{}, "vehicle state: time out of range (nanoseconds? utime counts microseconds)"};
   if (!all_finite({wire.north, wire.east, wire.heading, wire.north_velocity, wire.east_velocity}))
     return {{}, "vehicle state: not finite"};
   return {core::VehicleState{

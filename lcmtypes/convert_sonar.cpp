@@ -91,7 +91,7 @@ double wire_scale(const core::SonarImage& image) {
 }  // namespace
 
 Converted<core::SonarScan> to_core(const sonar_scan_t& wire) {
-  if (!is_time(wire.utime)) return {{}, "scan: time out of range"};
+  if (!is_time(wire.utime)) return {{}, "scan: time out of range (nanoseconds? utime counts microseconds)"};
   if (!agrees(wire.num_returns, wire.bearing.size()) || !agrees(wire.num_returns, wire.range.size()) ||
       !agrees(wire.num_returns, wire.intensity.size()))
     return {{}, "scan: number of returns disagrees with their lists"};
@@ -128,7 +128,7 @@ sonar_scan_t to_wire(const core::SonarScan& scan) {
 }
 
 Converted<core::SonarImage> to_core(const sonar_image_t& wire) {
-  if (!is_time(wire.utime)) return {{}, "image: time out of range"};
+  if (!is_time(wire.utime)) return {{}, "image: time out of range (nanoseconds? utime counts microseconds)"};
   if (!is_rectangular(wire)) return {{}, "image: beams or bins disagree with the intensities"};
   if (wire.intensity.size() * static_cast<std::size_t>(wire.num_bins) > kMaxPixels)
     return {{}, "image: too many pixels"};

@@ -42,12 +42,18 @@ py::dict as_dict(const tracking::IntakeCounts& counts) {
   add("frozen", counts.frozen);
   add("foreign", counts.foreign);
   add("contradicting", counts.contradicting);
+  add("shed", counts.shed);
   add("lost", counts.lost);
   add("restarts", counts.restarts);
   add("resets", counts.resets);
+  add("returns", counts.returns);
   add("silent_returns", counts.silent_returns);
   add("dropped_returns", counts.dropped_returns);
   add("repeated", counts.repeated);
+  add("off_pace", counts.off_pace);
+  add("states", counts.states);
+  add("accepted_states", counts.accepted_states);
+  add("wide_headings", counts.wide_headings);
   add("bad_states", counts.bad_states);
   return result;
 }

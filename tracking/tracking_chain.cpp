@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/field_of_view.hpp"
+#include "core/files/csv.hpp"
 #include "core/files/time_text.hpp"
 #include "tracking/intake/ping_checks.hpp"
 
@@ -37,6 +38,16 @@ std::optional<std::int64_t> clock_step(const std::vector<core::RememberedScan>& 
   if (!(period > 0.0 && pause > 0.0 && pause <= kLongestPause)) return std::nullopt;
   const std::int64_t step = first.utime - (last->utime + std::llround(pause));
   return step < 0 ? std::optional(step) : std::nullopt;
+}
+
+/// A range sigma above this share of the range is another sonar's; its share where nothing is known of it is
+/// that of the defaults.
+constexpr double kWidestSigma = 0.1;
+
+double plausible_range_sigma(double sigma, double max_range) {
+  const core::SonarParams known_nothing;
+  const bool is_default = sigma == known_nothing.range_sigma;
+  return is_default && sigma > kWidestSigma * max_range ? sigma * max_range / known_nothing.max_range : sigma;
 }
 
 }  // namespace
@@ -72,13 +83,12 @@ TrackingChain::TrackingChain(const ChainParams& params, MakePipeline make_pipeli
       lag_(params.lag),
       pipeline_(make_pipeline_(configured_)),
       view_guard_(configured_),
+      pace_(configured_.scan_period),
       report_(std::move(report)),
       intake_(configured_,
               {[this](const core::PosedScan& scan) { track(scan); },
                [this] { reset(); },
-               [this](const std::string& line) {
-                 if (!is_restoring_) report_(line);
-               },
+               [this](const std::string& line) { tell(line); },
                {},
                [this](const core::Pose2& T_earth_body) { T_earth_body_ = T_earth_body; },
                [this](const core::PosedScan& scan, const core::Pose2& T_earth_body) {
@@ -131,6 +141,11 @@ void TrackingChain::use(const core::SonarParams& sensor) {
   configured_ = sensor;
   pipeline_ = make_pipeline_(configured_);
   view_guard_ = ViewGuard(configured_);
+  pace_ = PaceFinder(configured_.scan_period);
+}
+
+void TrackingChain::tell(const std::string& line) const {
+  if (!is_restoring_) report_(line);
 }
 
 void TrackingChain::finish() {
@@ -139,19 +154,69 @@ void TrackingChain::finish() {
 }
 
 void TrackingChain::track(const core::PosedScan& scan) {
-  if (is_fresh_ && !agrees(scan.scan, configured_)) {
-    const std::int64_t next_id = pipeline_->next_id();
-    pipeline_ = make_pipeline_(core::with_geometry_of(scan.scan, configured_));
-    pipeline_->set_next_id(next_id);
-  }
+  if (is_fresh_) suit(scan.scan);
   is_fresh_ = false;
   if (other_clock_) go_on_from(scan.scan);
+  follow_pace(scan.scan);
   scans_.add(scan.scan, T_earth_body_);
   const PingResult result = pipeline_->step(scan);
   view_guard_.keep(result.tracks, result.utime);
   if (lag_ == 0) return give(result);
   delay(result);
   give_until(result.utime - lag_);
+}
+
+/// In place of the pipeline; identities go on.
+void TrackingChain::renew(std::unique_ptr<ScanPipeline> pipeline) {
+  pipeline->set_next_id(pipeline_->next_id());
+  pipeline_ = std::move(pipeline);
+}
+
+/// Makes the pipeline for the sensor that a first scan shows.
+void TrackingChain::suit(const core::SonarScan& first) {
+  const double sigma = plausible_range_sigma(configured_.range_sigma, first.max_range);
+  if (sigma != configured_.range_sigma) {
+    tell("range_sigma " + core::shortest(configured_.range_sigma) + " m in a range of " +
+         core::shortest(first.max_range) + " m: " + core::shortest(sigma) +
+         " m is taken; range_sigma in `sensor:` of the configuration says what is right");
+    configured_.range_sigma = sigma;
+    view_guard_ = ViewGuard(configured_);
+  } else if (agrees(first, configured_)) {
+    return;
+  }
+  renew(make_pipeline_(core::with_geometry_of(first, configured_)));
+}
+
+/// Where scans come at another pace than the one that tracking was made for, it is made for theirs.
+void TrackingChain::follow_pace(const core::SonarScan& scan) {
+  const double before = configured_.scan_period;
+  const auto period = pace_.learn({scan.sensor_id, scan.sequence, scan.utime});
+  if (!period) return;
+  tell(
+      "scans come every " + core::shortest(*period) + " s, not every " + core::shortest(before) +
+      (go_on_at(*period)
+           ? " s: tracking goes by that; scan_period in `sensor:` of the configuration says it from the start"
+           : " s, for which this tracker cannot be made: set scan_period in `sensor:` of the configuration"));
+}
+
+/// Tracks what is remembered again, in silence, as at that period [s]. @return whether the tracker can.
+bool TrackingChain::go_on_at(double period) {
+  core::SonarParams sensor = configured_;
+  sensor.scan_period = period;
+  core::TrackingMemory memory{0, newest_tracks_utime_, {}, scans_.scans()};
+  if (!is_restoring_) memory.tracks = newest_tracks_;  // Else nobody has heard of these identities.
+  if (!memory.scans.empty()) sensor = core::with_geometry_of(memory.scans.front().scan, sensor);
+  try {
+    auto pipeline = make_pipeline_(sensor);
+    give_until(std::numeric_limits<std::int64_t>::max());
+    renew(std::move(pipeline));
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+  configured_.scan_period = period;
+  scans_.forget();
+  track_again(memory, 0);
+  return true;
 }
 
 void TrackingChain::delay(const PingResult& result) {
@@ -180,11 +245,10 @@ void TrackingChain::give(PingResult result) {
 void TrackingChain::reset() {
   give_until(std::numeric_limits<std::int64_t>::max());
   other_clock_ = core::TrackingMemory{0, newest_tracks_utime_, newest_tracks_, scans_.scans()};
-  const std::int64_t next_id = pipeline_->next_id();
-  pipeline_ = make_pipeline_(configured_);
-  pipeline_->set_next_id(next_id);
+  renew(make_pipeline_(configured_));
   identities_.stop_looking();
   view_guard_.forget();
+  pace_.begin_new_clock();
   scans_.forget();
   newest_tracks_.clear();
   is_fresh_ = true;
@@ -203,7 +267,7 @@ void TrackingChain::go_on_from(const core::SonarScan& first) {
 /// Tracks the scans of before in silence, as of a clock that was set by `step` [us], and gives their tracks
 /// the identities that they had.
 void TrackingChain::track_again(const core::TrackingMemory& memory, std::int64_t step) {
-  is_restoring_ = true;
+  const bool was_restoring = std::exchange(is_restoring_, true);
   identities_.expect(memory.tracks, memory.utime + step);
   core::PosedScan posed;
   for (const auto& [vehicle, scan] : memory.scans) {
@@ -213,8 +277,9 @@ void TrackingChain::track_again(const core::TrackingMemory& memory, std::int64_t
     scans_.add(posed.scan, vehicle.T_earth_body);
     const PingResult result = pipeline_->step(posed);
     view_guard_.keep(result.tracks, result.utime);
+    if (&scan == &memory.scans.back().scan) identities_.rename(result.tracks, result.utime);
   }
-  is_restoring_ = false;
+  is_restoring_ = was_restoring;
 }
 
 }  // namespace lookout::tracking

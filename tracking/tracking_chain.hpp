@@ -11,6 +11,7 @@
 #include "core/sonar_params.hpp"
 #include "core/tracking_memory.hpp"
 #include "csht/estimator_registry.hpp"
+#include "tracking/intake/pace_finder.hpp"
 #include "tracking/intake/scan_intake.hpp"
 #include "tracking/intake/view_guard.hpp"
 #include "tracking/ping_result.hpp"
@@ -45,7 +46,7 @@ std::unique_ptr<ScanPipeline> make_pipeline(const ChainParams& params, const cor
 class TrackingChain {
  public:
   /// Makes a pipeline for a sensor. Called at once, so that bad parameters are found at the start; again for
-  /// a first scan of another geometry; and after each reset.
+  /// a first scan of another geometry; where scans prove to come at another pace; and after each reset.
   using MakePipeline = std::function<std::unique_ptr<ScanPipeline>(const core::SonarParams&)>;
   using Ping = core::SonarScan;
   using OnResult = std::function<void(const PingResult&)>;  ///< Once for each accepted scan, in their order.
@@ -100,6 +101,11 @@ class TrackingChain {
   void give(PingResult result);
   void reset();
   void go_on_from(const core::SonarScan& first);
+  void suit(const core::SonarScan& first);
+  void follow_pace(const core::SonarScan& scan);
+  bool go_on_at(double period);
+  void renew(std::unique_ptr<ScanPipeline> pipeline);
+  void tell(const std::string& line) const;
   void track_again(const core::TrackingMemory& memory, std::int64_t step);
   static std::unique_ptr<ScanPipeline> make_told(ChainParams params, const core::SonarParams& sensor,
                                                  TrackingChain& chain);
@@ -116,6 +122,7 @@ class TrackingChain {
   std::optional<core::TrackingMemory> other_clock_;  ///< What was known when a new clock began.
   IdentityMap identities_;
   ViewGuard view_guard_;
+  PaceFinder pace_;
   std::vector<core::Track> newest_tracks_;  ///< As they were last given.
   std::int64_t newest_tracks_utime_ = 0;
   core::Pose2 T_earth_body_;  ///< Of the scan that is tracked next.

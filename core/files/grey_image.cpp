@@ -130,8 +130,10 @@ class PgmReader {
 
 std::string bytes_of(const std::string& path) {
   std::error_code ignored;
-  std::ifstream file(path, std::ios::binary);
-  if (!file || !std::filesystem::is_regular_file(path, ignored)) throw InputError(path + ": cannot be read");
+  const bool is_plain = std::filesystem::is_regular_file(path, ignored);  // To open a pipe is to wait for it.
+  std::ifstream file;
+  if (is_plain) file.open(path, std::ios::binary);
+  if (!file.is_open()) throw InputError(path + ": cannot be read, expected a plain file");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -43,7 +43,8 @@ inline bool is_of_last(const CsvTable& table, std::size_t row, std::int64_t last
   const std::int64_t utime = table.time(row, "time_s");
   if (utime < last_utime)
     table.fail(row, "time_s",
-               "goes back in time; a new clock must say so in a column `clock`: 0, then 1, ...");
+               "goes back in time: sort the rows by time; where a new clock began, say so in a column "
+               "`clock`: 0, then 1, ...");
   return utime == last_utime;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 
 #include "core/files/csv.hpp"
@@ -48,8 +49,16 @@ class Reader {
     stamps_.add(row, scan.utime, blank, read_.scans.size() != before);
     if (blank) return;
     const SonarReturn one{bearing_.unit * table_.number_or_nan(row, bearing_.name),
-                          table_.number_or_nan(row, "range_m"), number_or(table_, row, "intensity", 1.0)};
+                          table_.number_or_nan(row, "range_m"), intensity(row)};
     if (returns_.is_return(row, one)) scan.returns.push_back(one);
+  }
+
+  /// That of a return whose intensity nobody knows, blank or not finite, is 1.
+  double intensity(std::size_t row) const {
+    const SonarReturn unknown;
+    if (!table_.has("intensity") || table_.empty(row, "intensity")) return unknown.intensity;
+    const double value = table_.number_or_nan(row, "intensity");
+    return std::isfinite(value) ? value : unknown.intensity;
   }
 
   /// The scan that a row belongs to: the last one of its time and sensor, or a new one.

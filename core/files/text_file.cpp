@@ -1,45 +1,22 @@
 #include "core/files/text_file.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
+#include "core/files/input_bytes.hpp"
 #include "core/input_error.hpp"
 
 namespace lookout::core {
 namespace {
 
-constexpr std::size_t kLargestFile = std::size_t{2} << 30;  // A device without an end is not read for ever.
 constexpr std::size_t kLongestShown = 60;
-/// Read at once; what is read so far, within these: a small file does not cost a large buffer.
-constexpr std::size_t kFewest = std::size_t{1} << 12, kMost = std::size_t{1} << 20;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-
-std::string read_bytes(const std::string& path, std::string_view expected) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
-    throw InputError(path + ": is a directory; expected " + std::string(expected));
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw InputError(path + ": cannot be read; expected " + std::string(expected));
-  std::string bytes;
-  while (file && bytes.size() <= kLargestFile) {
-    const std::size_t before = bytes.size();
-    const std::size_t chunk = std::clamp(before, kFewest, kMost);
-    bytes.resize(before + chunk);
-    file.read(bytes.data() + before, static_cast<std::streamsize>(chunk));
-    bytes.resize(before + static_cast<std::size_t>(file.gcount()));
-  }
-  if (file.bad()) throw InputError(path + ": cannot be read; expected " + std::string(expected));
-  if (bytes.size() > kLargestFile)
-    throw InputError(path + ": is above 2 GB; expected " + std::string(expected));
-  return bytes;
-}
 
 }  // namespace
 
 std::string read_text_file(const std::string& path, std::string_view expected) {
-  std::string text = read_bytes(path, expected);
+  std::string text = input_bytes(path, expected);
   using namespace std::string_view_literals;
   if (text.starts_with("\xFF\xFE\0\0"sv) || text.starts_with("\0\0\xFE\xFF"sv))
     throw InputError(path + ": is UTF-32 text; save it as UTF-8 (iconv -f UTF-32 -t UTF-8)");

@@ -8,7 +8,8 @@ namespace lookout::core {
 
 /// The text of a file as UTF-8, without a byte order mark.
 /// @param expected what the file should be, for the message: "a YAML file".
-/// @throws InputError naming the file: not readable, a directory, above 2 GB, UTF-16 or other binary content.
+/// @throws InputError naming the file: not readable, a directory, above 2 GB, a pipe that nobody
+/// writes into, UTF-16 or other binary content.
 std::string read_text_file(const std::string& path, std::string_view expected);
 
 /// How a value from a file is shown in a message of one line: in quotes, its first 60 bytes, with a question

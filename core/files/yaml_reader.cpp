@@ -47,6 +47,17 @@ std::string one_line(std::string text) {
   return text;
 }
 
+/// The first line, from 1, that a tab stands before: YAML has none there, and yaml-cpp names what follows.
+std::optional<std::size_t> line_indented_by_a_tab(const std::string& text) {
+  std::istringstream lines(text);
+  std::string line;
+  for (std::size_t number = 1; std::getline(lines, line); ++number) {
+    const std::size_t first = std::min(line.find_first_not_of(" \t\r"), line.size());
+    if (line.find('\t') < first) return number;
+  }
+  return std::nullopt;
+}
+
 /// What a person wrote in place of a number.
 std::string what_stands(const YAML::Node& value) {
   if (value.IsScalar()) return shown(value.Scalar());
@@ -203,6 +214,8 @@ YamlMap YamlMap::load_text(const std::string& text, const std::string& name) {
     impl->node.reset(node);
     impl->merge_sources = resolver.sources();
   } catch (const YAML::Exception& error) {
+    if (const auto line = line_indented_by_a_tab(text))
+      throw InputError(name + ":" + std::to_string(*line) + ":1: a tab in the indentation, expected blanks");
     throw InputError(where(name, error.mark) + ": not valid YAML: " + one_line(error.msg));
   }
   return YamlMap(std::move(impl));

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -123,6 +124,30 @@ TEST(CaseCounts, EveryScanAndStateOfAFileIsReceived) {
         EXPECT_EQ(replayed["returns"], written.returns);
       }
     }
+  }
+}
+
+/// The number between `before` and " radar scans" in what an import says; 0 where it does not say that.
+std::int64_t radar_scans_said(const std::string& said, const std::string& before) {
+  std::smatch found;
+  return std::regex_search(said, found, std::regex(before + "(\\d+) radar scans")) ? std::stoll(found[1]) : 0;
+}
+
+// The radar's entries, in the data set's form, are imported or left out with their number.
+TEST(CaseCounts, EveryRadarScanIsImportedOrLeftOut) {
+  const std::string forms = kCases + "autoferry_forms/";
+  for (const auto& [detections, truth] : std::map<std::string, std::string>{
+           {"empty_d", "ok_g"}, {"nan_d", "ok_g"}, {"repeat_d", "ok_g"}, {"empty_d ", "short_g"}}) {
+    const TemporaryDirectory folder;
+    const std::string file = forms + detections.substr(0, detections.find(' ')) + ".json";
+    const auto result =
+        run_lookout("import autoferry " + file + " " + forms + truth + ".json --out " + folder.path());
+    ASSERT_EQ(result.status, 0) << result.err;
+    const std::int64_t entries = times_in(text_of(file), "\"sensorID\": 2");  // All of them radar.
+    const std::int64_t imported = written_in(folder.path()).scans;
+    const std::int64_t left_out = radar_scans_said(result.err, "left out: ");
+    EXPECT_EQ(imported, radar_scans_said(result.err, folder.path() + ": ")) << result.err;
+    EXPECT_EQ(entries, imported + left_out) << result.err;
   }
 }
 

@@ -57,6 +57,7 @@ class TrackingChainTest : public ::testing::Test {
   std::unique_ptr<TrackingChain> chain(std::int64_t lag) {
     ChainParams params;
     params.lag = lag;
+    params.sensor.scan_period = 1.0;  // As `feed` is called.
     return std::make_unique<TrackingChain>(
         params, &pipeline_of<CountingTracker>,
         [this](const PingResult& result) {
@@ -194,6 +195,79 @@ struct FollowingChain {
                       [this](const PingResult& result) { ids.push_back(result.tracks[0].id); },
                       [](const std::string&) {}};
 };
+
+/// A chain that says for which sensors its pipelines were made, and what it told.
+struct ToldChain {
+  void scan(double seconds, std::int64_t sequence, double max_range) {
+    core::SonarScan scan;
+    scan.utime = core::microseconds(seconds);
+    scan.sequence = sequence;
+    scan.bearing_step = 0.1;
+    scan.max_range = max_range;
+    scan.num_beams = 3;
+    chain.add(core::VehicleState{scan.utime, {0.1 * seconds, 0.0, 0.0}, {0.1, 0.0}});
+    chain.add(scan);
+  }
+  std::vector<core::SonarParams> sensors;
+  std::vector<std::int64_t> ids;
+  std::vector<std::string> lines;
+  TrackingChain chain{ChainParams(),
+                      [this](const core::SonarParams& sensor) {
+                        sensors.push_back(sensor);
+                        return pipeline_of<FollowingTracker>(sensor);
+                      },
+                      [this](const PingResult& result) { ids.push_back(result.tracks[0].id); },
+                      [this](const std::string& line) { lines.push_back(line); }};
+};
+
+// No message states a period, and a tracker that was told half a second finds nothing in scans 6 s apart.
+TEST(TrackingChainPace, GoesByTheScansAndKeepsGeometryAndIdentities) {
+  ToldChain told;
+  for (int k = 0; k < 10; ++k) told.scan(6.0 * k, k, 100.0);
+  EXPECT_EQ(told.ids, std::vector<std::int64_t>(10, 1));
+  EXPECT_DOUBLE_EQ(told.sensors.back().scan_period, 6.0);
+  EXPECT_EQ(told.sensors.back().num_beams, 3);
+  EXPECT_EQ(told.lines.back(),
+            "scans come every 6 s, not every 0.5 s: tracking goes by that; scan_period in `sensor:` of the "
+            "configuration says it from the start");
+}
+
+TEST(TrackingChainPace, SaysWhereTheTrackerCannotBeMadeForIt) {
+  std::vector<std::string> lines;
+  int scans = 0;
+  TrackingChain chain(
+      {},
+      [](const core::SonarParams& sensor) {
+        if (sensor.scan_period > 1.0) throw std::invalid_argument("too slow");
+        return pipeline_of<FollowingTracker>(sensor);
+      },
+      [&scans](const PingResult&) { ++scans; }, [&lines](const std::string& line) { lines.push_back(line); });
+  for (int k = 0; k < 10; ++k) {
+    core::SonarScan scan;
+    scan.utime = 6 * kSecond * k;
+    scan.sequence = k;
+    scan.bearing_step = 0.1;
+    scan.max_range = 100.0;
+    scan.num_beams = 3;
+    chain.add(core::VehicleState{scan.utime, {0.1 * k, 0.0, 0.0}, {0.0, 0.0}});
+    chain.add(scan);
+  }
+  EXPECT_EQ(scans, 10);
+  EXPECT_NE(lines.back().find("for which this tracker cannot be made"), std::string::npos);
+}
+
+// The default of 3 m is that of a sonar of 150 m.
+TEST(TrackingChainScale, TakesNoDefaultSigmaThatIsHalfTheRange) {
+  ToldChain imaging, usual;
+  imaging.scan(0.0, 0, 5.0);
+  EXPECT_DOUBLE_EQ(imaging.sensors.back().range_sigma, 0.1);
+  EXPECT_EQ(
+      imaging.lines.back(),
+      "range_sigma 3 m in a range of 5 m: 0.1 m is taken; range_sigma in `sensor:` of the configuration "
+      "says what is right");
+  usual.scan(0.0, 0, 60.0);
+  EXPECT_DOUBLE_EQ(usual.sensors.back().range_sigma, 3.0);
+}
 
 TEST(TrackingChainRestart, GoesOnInSilenceWithTheSameIdentities) {
   FollowingChain before, after;

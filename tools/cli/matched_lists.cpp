@@ -98,6 +98,7 @@ MatchedLists::MatchedLists(ComparedLists lists, const Options& options)
     require_one_clock(tools::times_of(truth_), times_of(lists_), options.inputs[0]);
   const auto asked = match_of(options);
   const Times& scans = lists.scans;
+  knows_scans_ = !scans.empty();
   if (!scans.empty() && !truth_.empty()) require_one_clock(tools::times_of(truth_), scans, options.inputs[0]);
   auto chosen =
       asked ? tracking::ChosenMatch{*asked, ""}
@@ -129,7 +130,28 @@ void MatchedLists::fill(const Times& times, MatchedTruth matched, const Options&
     require_few(scored_.back().tracks.size(), options.inputs[1], time);
   }
   notes_ = matched.notes();
-  if (scored_.empty()) throw core::InputError("ospa: there is no time to average over");
+  note_times_without_estimates();
+  if (scored_.empty()) throw core::InputError("ospa: there is no time to average over: " + spans());
+}
+
+/// A list of estimates does not say which scans showed nothing: truth at a higher rate looks like scans
+/// without a track.
+void MatchedLists::note_times_without_estimates() {
+  const auto without =
+      std::count_if(scored_.begin(), scored_.end(), [](const auto& pair) { return pair.tracks.empty(); });
+  if (knows_scans_ || 2 * static_cast<std::size_t>(without) < scored_.size()) return;
+  notes_.push_back(
+      std::to_string(without) + " of " + std::to_string(scored_.size()) +
+      " times are of the truth alone: scored as without tracks (--times SCANS.csv names the scans)");
+}
+
+/// From when to when truth and estimates go.
+std::string MatchedLists::spans() const {
+  const auto span = [](const Times& times) {
+    return times.empty() ? "nothing"
+                         : core::time_text(times.front()) + " to " + core::time_text(times.back()) + " s";
+  };
+  return "the truth holds " + span(tools::times_of(truth_)) + ", the estimates " + span(times_of(lists_));
 }
 
 }  // namespace lookout::tools

@@ -45,10 +45,13 @@ class MatchedLists {
  private:
   std::vector<std::int64_t> common_times(const std::vector<std::int64_t>& scans, bool at_estimates) const;
   void fill(const std::vector<std::int64_t>& times, MatchedTruth matched, const Options& options);
+  void note_times_without_estimates();
+  std::string spans() const;
 
   std::vector<core::GroundTruth> truth_;
   std::vector<core::TrackList> lists_;
   std::int64_t tolerance_;
+  bool knows_scans_ = false;
   std::vector<ScoredTime> scored_;
   std::vector<std::string> notes_;
 };

@@ -44,7 +44,7 @@ class LogReplay {
   /// Scans are kept, and tracked where `Chain` does that.
   void take_scans(bool are_tracked) {
     inbox_.on<sonar_scan_t>(channels_.sonar_scan(), [this, are_tracked](const core::SonarScan& scan) {
-      if (are_tracked) ++figures_.pings;
+      if (are_tracked) note_ping(scan.utime);
       if (figures_.is_fixed) add(core::VehicleState{scan.utime, {}, {0.0, 0.0}});
       if constexpr (requires { chain_.add(scan); }) chain_.add(scan);
       recorder_.add(scan);
@@ -53,7 +53,7 @@ class LogReplay {
   /// Images are kept, and tracked where `Chain` does that.
   void take_images(bool are_tracked) {
     inbox_.on<sonar_image_t>(channels_.sonar_image(), [this, are_tracked](core::SonarImage image) {
-      if (are_tracked) ++figures_.pings;
+      if (are_tracked) note_ping(image.utime);
       if (are_tracked && figures_.is_fixed) add(core::VehicleState{image.utime, {}, {0.0, 0.0}});
       images_.add(image);
       if constexpr (requires { chain_.add(std::move(image)); }) chain_.add(std::move(image));
@@ -66,8 +66,10 @@ class LogReplay {
   TrackedRun run(const std::vector<std::string>& files) {
     for (const auto& file : files) {
       lcmtypes::LogReader log(file);
-      while (const auto message = log.next())
+      while (const auto message = log.next()) {
+        log_utime_ = message->log_utime;
         inbox_.take(message->channel, message->bytes.data(), message->bytes.size());
+      }
     }
     chain_.finish();
     TrackedRun run{recorder_.finish(), chain_.output(), chain_.counts()};
@@ -80,6 +82,10 @@ class LogReplay {
   }
 
  private:
+  void note_ping(std::int64_t utime) {
+    ++figures_.pings;
+    figures_.stamps.add(utime, log_utime_);
+  }
   void add(const core::VehicleState& state) {
     chain_.add(state);
     recorder_.add(state);
@@ -91,6 +97,7 @@ class LogReplay {
   ImageKeeper images_;
   LogFigures& figures_;
   lcmtypes::Inbox inbox_;
+  std::int64_t log_utime_ = 0;  ///< Of the message that is taken [us].
 };
 
 /// Returns are found in the images, and tracked; scans beside them are left.
@@ -166,6 +173,9 @@ std::vector<std::string> notes_of(const LogFigures& figures, const core::Recordi
   note(survey.damages > 0, "the log is damaged or cut off: " + std::to_string(survey.bytes_lost) +
                                " bytes in " + std::to_string(survey.damages) + " place(s) could not be read");
   for (const auto& refusal : figures.refusals) note(true, lcmtypes::text_of(refusal));
+  if (const auto slower = figures.stamps.slower())
+    note(true, "stamps go " + std::to_string(*slower) +
+                   " times slower than the log's own clock: utime counts microseconds");
   note(figures.refused_truth > 0,
        std::to_string(figures.refused_truth) + " lists of truth at a time that has one already");
   note(figures.images_left_out > 0, std::to_string(figures.images_left_out) +

@@ -8,6 +8,7 @@
 #include "tools/cli/found_returns.hpp"
 #include "tools/cli/log_survey.hpp"
 #include "tools/cli/tracked_run.hpp"
+#include "tracking/intake/stamp_clock.hpp"
 
 namespace lookout::tools {
 
@@ -18,6 +19,7 @@ struct LogFigures {
   std::int64_t pings = 0;                   ///< Scans, or images where these are tracked.
   std::int64_t refused_truth = 0;           ///< Lists of a time that had one already.
   std::int64_t images_left_out = 0;         ///< Of the recording: they go back in time, or repeat it.
+  tracking::StampClock stamps;              ///< Of those pings, against the log's own clock.
   bool is_fixed = false;                    ///< No vehicle state in it: a fixed sensor at the origin.
   std::vector<core::TrackList> tracks;      ///< The TRACKS in the log.
 };

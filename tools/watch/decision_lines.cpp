@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <deque>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
 
@@ -37,6 +38,8 @@ std::optional<std::pair<std::int64_t, DecisionLine>> parse_decision(const std::s
 
 std::vector<DecisionLine> decision_lines(const std::string& path, std::int64_t track,
                                          std::int64_t longest_read) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) return {};  // To open a pipe is to wait for it.
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   const std::streamoff size = file.tellg();
   if (!file || size < 0) return {};

@@ -12,6 +12,10 @@ namespace {
 constexpr std::int64_t kPause = 3;
 /// Times in a row that show a pause rather than one bad stamp.
 constexpr int kResumedAfter = 2;
+/// Leaps are alike where the longer is less than so many times the shorter.
+constexpr std::int64_t kAlike = 2;
+/// Slowest sensor: core::SonarLimits' longest period [us].
+constexpr std::int64_t kSlowest = 3'600'000'000;
 
 }  // namespace
 
@@ -23,17 +27,25 @@ ClockGuard::ClockGuard(const ClockGuardParams& params) : params_(params) {
 }
 
 bool ClockGuard::follows(std::int64_t before, std::int64_t utime) const {
-  return utime > before && utime - before <= params_.max_step;
+  return utime > before && utime - before <= max_step();
+}
+
+void ClockGuard::watch_slow_pace(std::int64_t utime) {
+  const std::int64_t leap = utime - (num_suspects_ > 0 ? newest_suspect_ : *last_);
+  const std::int64_t shorter = std::min(leap, leap_), longer = std::max(leap, leap_);
+  leap_ = leap;
+  if (kPause * shorter > params_.max_step && longer < kAlike * shorter && longer <= kSlowest)
+    slow_ = kPause * longer;
 }
 
 void ClockGuard::believe(std::int64_t utime) {
-  if (last_) step_ = std::clamp<std::int64_t>(utime - *last_, 0, params_.max_step);
+  if (last_) step_ = std::clamp<std::int64_t>(utime - *last_, 0, max_step());
   last_ = utime;
   num_suspects_ = 0;
 }
 
 ClockGuard::Verdict ClockGuard::judge(std::int64_t utime) {
-  const std::int64_t longest = std::min(params_.max_step, std::max(params_.max_leap, kPause * step_));
+  const std::int64_t longest = std::min(max_step(), std::max(params_.max_leap, kPause * step_));
   // Several suspects that go on are a clock that was set back, though it comes near the old one again.
   const std::int64_t beside = utime - newest_suspect_;
   if (num_suspects_ >= kResumedAfter && beside > 0 && beside <= longest) return suspect(utime);
@@ -45,6 +57,7 @@ ClockGuard::Verdict ClockGuard::judge(std::int64_t utime) {
 }
 
 ClockGuard::Verdict ClockGuard::suspect(std::int64_t utime) {
+  watch_slow_pace(utime);
   num_suspects_ = num_suspects_ > 0 && follows(newest_suspect_, utime) ? num_suspects_ + 1 : 1;
   const std::int64_t before = newest_suspect_;
   newest_suspect_ = utime;

@@ -20,7 +20,7 @@ struct ClockGuardParams {
 
 /// Judges the times of one stream, in the order of their arrival. A time that goes back or leaps ahead is
 /// suspect; when enough suspects in a row follow one another, the stream has made a pause or is on a new
-/// clock.
+/// clock. Two leaps in a row that are alike, each above a third of `max_step`, are a slow stream's pace.
 class ClockGuard {
  public:
   /// What a time is to those before it.
@@ -52,6 +52,8 @@ class ClockGuard {
 
  private:
   bool follows(std::int64_t before, std::int64_t utime) const;
+  std::int64_t max_step() const { return params_.max_step > slow_ ? params_.max_step : slow_; }
+  void watch_slow_pace(std::int64_t utime);
   Verdict suspect(std::int64_t utime);
   void believe(std::int64_t utime);
 
@@ -60,6 +62,8 @@ class ClockGuard {
   std::int64_t step_ = 0;  ///< Between the newest two believed times [us].
   std::int64_t newest_suspect_ = 0;
   int num_suspects_ = 0;
+  std::int64_t leap_ = 0;  ///< Of the newest suspect from the time before it [us].
+  std::int64_t slow_ = 0;  ///< Farthest step of a stream that proves to be slower than `max_step` [us].
 };
 
 }  // namespace lookout::tracking

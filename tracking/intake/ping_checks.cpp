@@ -14,6 +14,10 @@ constexpr double kFullTurn = 2.0 * std::numbers::pi;
 /// Geometry that differs by less is the same [m, rad]: a configuration in degrees does not round to the bit.
 constexpr double kSameGeometry = 1e-9;
 
+/// Fewer returns at one range are chance,
+constexpr std::size_t kFewestReturns = 8;
+constexpr std::ptrdiff_t kFewestAtMaximum = 3;  // and fewer at the maximum.
+
 // Each comparison is false for NaN, so that these also say "finite".
 bool within(double value, double limit) {
   return std::abs(value) <= limit;
@@ -62,8 +66,13 @@ bool same_sector(const PingGeometry& ping, const Other& other) {
 }
 
 bool is_silent(const core::SonarReturn& one) {
-  return !std::isfinite(one.range) || !std::isfinite(one.bearing) || !std::isfinite(one.intensity) ||
-         one.range == 0.0;
+  return !std::isfinite(one.range) || !std::isfinite(one.bearing) || one.range == 0.0;
+}
+
+/// Whether returns at the very maximum are beams that heard nothing: one may be an echo.
+bool is_silence_at_maximum(const core::SonarScan& scan) {
+  return std::count_if(scan.returns.begin(), scan.returns.end(),
+                       [&scan](const auto& one) { return one.range == scan.max_range; }) >= kFewestAtMaximum;
 }
 
 /// Turns the bearing of a return into the sector's own turn; false where the return lies outside sector or
@@ -120,9 +129,11 @@ std::string_view defect(const core::VehicleState& state) {
 
 DroppedReturns drop_returns(core::SonarScan& scan) {
   DroppedReturns dropped;
+  const bool at_maximum = is_silence_at_maximum(scan);
   std::size_t kept = 0;
   for (core::SonarReturn& one : scan.returns) {
-    if (is_silent(one))
+    if (!std::isfinite(one.intensity)) one.intensity = core::SonarReturn().intensity;
+    if (is_silent(one) || (at_maximum && one.range == scan.max_range))
       ++dropped.silent;
     else if (!bring_into_sector(scan, one))
       ++dropped.out_of_bounds;
@@ -134,6 +145,22 @@ DroppedReturns drop_returns(core::SonarScan& scan) {
 }
 
 DroppedReturns drop_returns(core::SonarImage& /*image*/) {
+  return {};
+}
+
+SameRange same_range(const core::SonarScan& scan) {
+  SameRange same;
+  for (const core::SonarReturn& one : scan.returns) {  // What more than half are is left by a vote in pairs.
+    if (same.count == 0) same.range = one.range;
+    same.count += one.range == same.range ? 1 : -1;
+  }
+  same.count = static_cast<int>(std::count_if(scan.returns.begin(), scan.returns.end(),
+                                              [&same](const auto& one) { return one.range == same.range; }));
+  const bool is_most = 2 * static_cast<std::size_t>(same.count) > scan.returns.size();
+  return scan.returns.size() >= kFewestReturns && is_most ? same : SameRange{};
+}
+
+SameRange same_range(const core::SonarImage& /*image*/) {
   return {};
 }
 

@@ -32,15 +32,27 @@ std::string_view defect(const core::VehicleState& state);  ///< Likewise.
 
 /// Returns that were taken out of a ping.
 struct DroppedReturns {
-  int silent = 0;         ///< NaN, infinite or of range 0: how drivers say that a beam heard nothing.
+  int silent = 0;  ///< NaN, infinite or of range 0, and three or more at the very maximum: how drivers say
+                   ///< that a beam heard nothing.
   int out_of_bounds = 0;  ///< Beyond the maximum range, of a negative range, or outside the sector.
 };
 
 /// Takes those returns out of a scan without defect, and turns the bearings of the rest to within half a turn
-/// of the sector's middle. An image has none.
+/// of the sector's middle; an intensity that is not finite is one that nobody knows, 1. An image has none.
 DroppedReturns drop_returns(core::SonarScan& scan);
 /// Likewise.
 DroppedReturns drop_returns(core::SonarImage& image);
+
+/// Returns of one scan that have one and the same range.
+struct SameRange {
+  double range = 0.0;  ///< [m]
+  int count = 0;       ///< 0: there are none.
+};
+/// More than half of the returns, of eight or more, at one range to the bit: no echoes do that. What a driver
+/// says in place of silence, as a value of its own, looks so. An image has none.
+SameRange same_range(const core::SonarScan& scan);
+/// Likewise.
+SameRange same_range(const core::SonarImage& image);
 
 /// Fan, ranges and mount of a ping; of uneven beams the mean spacing.
 struct PingGeometry {

@@ -55,6 +55,7 @@ ClockGuardParams clock_of(const IntakeParams& params, const core::SonarParams& c
 ClockGuardParams state_clock_of(const IntakeParams& params, const core::SonarParams& configured) {
   ClockGuardParams clock = clock_of(params, configured);
   clock.max_leap = std::max(clock.max_leap, max_pose_gap(configured));
+  clock.max_step = std::max(clock.max_step, max_pose_gap(configured));
   return clock;
 }
 

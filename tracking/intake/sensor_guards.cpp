@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/files/csv.hpp"
 #include "core/files/time_text.hpp"
 #include "tracking/intake/intake_words.hpp"
 #include "tracking/intake/ping_content.hpp"
@@ -70,7 +71,7 @@ void SensorGuards::look_at(const Ping& ping) {
   const bool is_new = !geometry_ || !same(*geometry_, geometry);
   const bool is_other = !agrees(ping, *configured_);
   if (is_other) ++ledger_->counts.other_geometry;
-  if (is_new && is_other)
+  if (is_new && is_other && (++changes_ <= kChangesTold || worth_a_line(changes_)))
     ledger_->report(described(ping) + " has another geometry than the configuration; the message wins" +
                     so_far(ledger_->counts.other_geometry));
   geometry_ = geometry;
@@ -99,9 +100,19 @@ bool SensorGuards::is_frozen(const Ping& ping) {
 }
 
 template <class Ping>
+void SensorGuards::watch_ranges(const Ping& ping) {
+  const SameRange same = same_range(ping);
+  if (same.count > 0 && worth_a_line(++same_ranges_))
+    ledger_->report(described(ping) + ": " + std::to_string(same.count) + " returns have one range, " +
+                    core::shortest(same.range) +
+                    " m: does it stand for silence? inf, NaN or no return says that" + so_far(same_ranges_));
+}
+
+template <class Ping>
 DroppedReturns SensorGuards::drop_returns_of(Ping& ping) {
   give_fan(fan_, *configured_, ping);
   const DroppedReturns dropped = drop_returns(ping);
+  watch_ranges(ping);
   if (const std::string doubt = units_.doubt_ranges(ranges_of(ping, dropped)); !doubt.empty())
     ledger_->report(described(ping) + ": " + doubt);
   if (learns_fan(fan_, ping))

@@ -61,7 +61,11 @@ class SensorGuards {
   void begin_new_clock();  ///< Numbers and content start again.
 
  private:
+  template <class Ping>
+  void watch_ranges(const Ping& ping);
+
   static constexpr std::size_t kRemembered = 256;  ///< Pings that a double is known by.
+  static constexpr std::int64_t kChangesTold = 8;  ///< Of a geometry, each; then the 16th, 32nd, ...
   struct Heard {
     std::int64_t sequence = 0, utime = 0;
     bool operator==(const Heard&) const = default;
@@ -75,6 +79,8 @@ class SensorGuards {
   std::size_t num_heard_ = 0;
   OutsideReturns outside_;
   std::optional<PingGeometry> geometry_;
+  std::int64_t same_ranges_ = 0;  ///< Pings of which most returns have one range.
+  std::int64_t changes_ = 0;      ///< Times that the geometry became another, not the configured one.
   FanFinder fan_;
   UnitGuard units_;
   std::size_t content_ = 0;  ///< Of the last ping, as a hash; 0 for too little to tell.

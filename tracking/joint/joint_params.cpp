@@ -1,5 +1,6 @@
 #include "tracking/joint/joint_params.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/parameter_check.hpp"
@@ -7,6 +8,10 @@
 
 namespace lookout::tracking {
 namespace {
+
+/// The least cut-off of a report [m at the scale of Table 1]: 2.5 of its errors of position. A narrower one
+/// would never report a target that is as uncertain as its sonar is.
+constexpr double kLeastCutoff = 7.5;
 
 void validate(const MotionChangeParams& p) {
   core::require(p.window_s > 0.0 && p.window_s <= 30.0, "manoeuvre window_s must be in (0, 30]", p.window_s);
@@ -89,6 +94,7 @@ JointTrackerParams for_sensor(const JointTrackerParams& params, const core::Sona
   change.turn_slack /= scale.time();
   own.life.twin_distance *= scale.length;
   own.life.twin_speed *= scale.speed;
+  own.report.cutoff = std::max(params.report.cutoff, kLeastCutoff * scale.length);
   return own;
 }
 

@@ -61,9 +61,9 @@ struct LifeParams {
 /// Which tracks are reported, that is confirmed, and which are published.
 struct ReportParams {
   bool report_all = false;  ///< Every track above `min_existence` rather than the set of least expected OSPA.
-  double min_existence = 0.5;       ///< Least existence, for report_all and of tracks that coast, in [0, 1].
-  double cutoff = 20.0;             ///< Of the OSPA that is minimised [m], > 0.
-  int samples = 128;                ///< Target sets drawn to estimate it, >= 1.
+  double min_existence = 0.5;  ///< Least existence, for report_all and of tracks that coast, in [0, 1].
+  double cutoff = 20.0;        ///< Of the OSPA that is minimised [m], > 0; 2.5 errors of position at least.
+  int samples = 128;           ///< Target sets drawn to estimate it, >= 1.
   double least_probability = 0.02;  ///< From which a track is weighed for the report, in [0, 1].
   /// Of the tracks that are reported for the first time, one in 1 + e^this may be false [nats], >= 0. Log
   /// odds that grow slowly stand just above a threshold when they cross it, and the threshold is this; where

@@ -3,6 +3,7 @@
 #include "tracking/node/tracker_node.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <utility>
 
@@ -60,10 +61,21 @@ void ChainNode<Chain>::listen() {
 template <class Chain>
 void ChainNode<Chain>::take(std::variant<core::VehicleState, Ping> data) {
   const bool is_ping = data.index() == 1;
+  if (is_ping) watch_stamps(std::get<Ping>(data).utime);
   Arrived arrived{bus_.arrival(), std::move(data)};
   if (max_waiting_ == std::numeric_limits<std::size_t>::max()) return handle(std::move(arrived));
   queue_.push_back(std::move(arrived));
   if (is_ping && ++pings_waiting_ > max_waiting_) shed_oldest();
+}
+
+/// The health says what is wrong; a line says it once.
+template <class Chain>
+void ChainNode<Chain>::watch_stamps(std::int64_t utime) {
+  using std::chrono::duration_cast, std::chrono::microseconds;
+  stamps_.add(utime, duration_cast<microseconds>(bus_.arrival().time_since_epoch()).count());
+  if (stamps_.doubted() == 1)
+    node_.note("stamps go " + std::to_string(stamps_.slower().value_or(0)) +
+               " times slower than pings come: utime counts microseconds");
 }
 
 template <class Chain>
@@ -146,7 +158,7 @@ void ChainNode<Chain>::publish_status() {
   sample.dropped_returns = counts.dropped_returns;
   sample.repeated = counts.repeated;
   sample.contradicting = counts.contradicting;
-  sample.off_pace = counts.off_pace;
+  sample.off_pace = counts.off_pace + stamps_.doubted();
   sample.wide_headings = counts.wide_headings;
   sample.restarts = counts.backwards + counts.foreign;
   node_.publish_status(figures(), sample);

@@ -11,6 +11,7 @@
 
 #include "core/pose_history.hpp"
 #include "tracking/detection_chain.hpp"
+#include "tracking/intake/stamp_clock.hpp"
 #include "tracking/node/ping_node.hpp"
 #include "tracking/track_before_detect/images/image_chain.hpp"
 #include "tracking/tracking_chain.hpp"
@@ -55,6 +56,7 @@ class ChainNode {
 
   void listen();
   void take(std::variant<core::VehicleState, Ping> data);
+  void watch_stamps(std::int64_t utime);
   void shed_oldest();
   bool work();
   void handle(Arrived arrived);
@@ -71,6 +73,7 @@ class ChainNode {
   std::unique_ptr<Chain> chain_;
   std::deque<Arrived> queue_;
   std::size_t pings_waiting_ = 0;
+  StampClock stamps_;
   int seconds_ = 0;                 // Of status, since the state was kept.
   std::vector<std::int64_t> kept_;  // Identities in the state as it was last kept.
 };

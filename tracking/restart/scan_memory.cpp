@@ -10,6 +10,8 @@ namespace {
 /// A start must not take longer than a watchdog's patience: of scans with many returns fewer are kept, but as
 /// many as a track's window has.
 constexpr std::size_t kMostReturns = 4000, kFewest = 20;
+/// A step of more than so many times the newest is a pause, and none of a slow sonar's.
+constexpr std::int64_t kPause = 3;
 
 }  // namespace
 
@@ -33,10 +35,11 @@ std::vector<core::RememberedScan> ScanMemory::scans() const {
   const auto back = [this](std::size_t i) -> const core::RememberedScan& {
     return ring_[(next_ + ring_.size() - 1 - i) % ring_.size()];
   };
+  const auto age = [&back](std::size_t i) { return back(0).scan.utime - back(i).scan.utime; };
   std::size_t returns = 0;
   for (std::size_t i = 0; i < count_; ++i) {
     returns += back(i).scan.returns.size();
-    const bool is_old = back(0).scan.utime - back(i).scan.utime > params_.max_age;
+    const bool is_old = age(i) > params_.max_age && age(i) - age(i - 1) > kPause * age(1);
     if (is_old || (i >= kFewest && returns > kMostReturns)) break;
     kept.push_back(back(i));
   }

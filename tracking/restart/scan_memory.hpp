@@ -11,7 +11,7 @@ namespace lookout::tracking {
 /// How much of the past is kept for a restart.
 struct ScanMemoryParams {
   std::size_t max_scans = 80;         ///< >= 1. At two scans a second 40 s: longer than a track's window.
-  std::int64_t max_age = 60'000'000;  ///< Older than the newest by more, a scan is forgotten [us], > 0.
+  std::int64_t max_age = 60'000'000;  ///< What lies behind a pause is kept so long [us], > 0.
 };
 
 /// The newest accepted scans, in fixed memory once warm.

@@ -117,6 +117,16 @@ TEST(YamlReader, AnAliasOfItselfIsRefused) {
             std::string::npos);
 }
 
+TEST(YamlReader, ATabInTheIndentationIsNamedWithItsLine) {
+  for (const char* text : {"a:\n\tb: 1\n", "a:\n  b: 1\n \tc: 2\n"})
+    EXPECT_NE(error_of([&] {
+                YamlMap::load_text(text, "t.yaml");
+              }).find(":1: a tab in the indentation, expected blanks"),
+              std::string::npos);
+  EXPECT_DOUBLE_EQ(YamlMap::load_text("a:\t1\n", "t.yaml").number("a", 0.0),
+                   1.0);  // There YAML has them.
+}
+
 TEST(YamlReader, ADirectoryIsRefused) {
   EXPECT_NE(error_of([] { YamlMap::load_file("/tmp"); }).find("/tmp: is a directory"), std::string::npos);
 }

@@ -51,6 +51,34 @@ TEST_F(MatchedListsTest, TakesListsThatAreThereAlready) {
   EXPECT_EQ(all.notes().size(), 1u);  // One scan in four has no truth, which is worth a line.
 }
 
+// Truth at ten times the rate: most times have no estimate, which is no verdict on the tracks.
+TEST_F(MatchedListsTest, SaysWhereMostTimesAreOfTheTruthAlone) {
+  std::string rows = kHeader;
+  for (int tenth = 0; tenth <= 20; ++tenth)
+    rows.append(std::to_string(tenth / 10)).append(".").append(std::to_string(tenth % 10)).append(",1,0,0\n");
+  options_.inputs[0] = directory_.write("truth.csv", rows);
+  const MatchedLists lists(options_);
+  ASSERT_EQ(lists.notes().size(), 1u);
+  EXPECT_EQ(
+      lists.notes()[0],
+      "19 of 21 times are of the truth alone: scored as without tracks (--times SCANS.csv names the scans)");
+  options_.times = directory_.write("asked.csv", "time_s\n0\n1\n");
+  EXPECT_TRUE(MatchedLists(options_).notes().empty());
+}
+
+TEST_F(MatchedListsTest, NamesTheSpansWhereNoTimeIsCommon) {
+  options_.inputs[0] = directory_.write("truth.csv", kHeader + "0,1,0,0\n30,1,0,0\n");
+  options_.inputs[1] = directory_.write("tracks.csv", kHeader + "12,7,3,0\n13,7,3,0\n");
+  try {
+    times();
+    FAIL() << "taken";
+  } catch (const core::InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "ospa: there is no time to average over: the truth holds 0 to 30 s, the estimates 12 to 13 s");
+  }
+}
+
 TEST_F(MatchedListsTest, TakesTheTimesThatAreAskedFor) {
   options_.times = directory_.write("asked.csv", "time_s\n1\n");
   EXPECT_EQ(times(), (Times{1'000'000}));

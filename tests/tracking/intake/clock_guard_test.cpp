@@ -48,6 +48,34 @@ TEST(ClockGuard, FollowsASlowSensor) {
   for (int i = 3; i < 6; ++i) EXPECT_EQ(guard.judge(20 * i * kSecond), Verdict::in_order);
 }
 
+// A turn takes it 100 s, longer than the longest step of one clock that was told.
+TEST(ClockGuard, FindsAPaceBelowTheLongestStepFromTwoStepsThatAreAlike) {
+  ClockGuard guard;
+  EXPECT_EQ(guard.judge(0), Verdict::in_order);
+  EXPECT_EQ(guard.judge(100 * kSecond), Verdict::suspect);
+  EXPECT_EQ(guard.judge(198 * kSecond), Verdict::resumed);
+  for (const std::int64_t second : {300, 399, 500, 700})
+    EXPECT_EQ(guard.judge(second * kSecond), Verdict::in_order);
+}
+
+TEST(ClockGuard, FindsAPaceOfWhichTwoStepsAreLongerThanTheLongest) {
+  for (const std::int64_t pace : {40, 60}) {
+    ClockGuard guard;
+    EXPECT_EQ(guard.judge(0), Verdict::in_order);
+    EXPECT_EQ(guard.judge(pace * kSecond), Verdict::suspect);
+    EXPECT_EQ(guard.judge(2 * pace * kSecond), Verdict::resumed) << pace;
+    EXPECT_EQ(guard.judge(3 * pace * kSecond + kSecond), Verdict::in_order) << pace;
+  }
+}
+
+TEST(ClockGuard, TakesNoTwoLeapsThatDifferForAPace) {
+  ClockGuard guard;
+  for (const std::int64_t second : {0, 1, 2}) guard.judge(second * kSecond);
+  EXPECT_EQ(guard.judge(102 * kSecond), Verdict::suspect);
+  EXPECT_EQ(guard.judge(2 * kHour), Verdict::suspect);
+  EXPECT_EQ(guard.judge(3 * kSecond), Verdict::in_order);
+}
+
 TEST(ClockGuard, AtTheEndBelievesWhatLiesAhead) {
   ClockGuard guard;
   guard.judge(10 * kSecond);

@@ -90,9 +90,30 @@ TEST(PingChecks, TakeWhatIsNotFiniteForASilence) {
   scan.returns = {{0.0, kInf, 1}, {0.0, -kInf, 1},  {0.0, kNan, 1},
                   {kNan, 5.0, 1}, {0.0, 5.0, kNan}, {0.0, 5.0, 1}};
   const DroppedReturns dropped = drop_returns(scan);
-  EXPECT_EQ(dropped.silent, 5);
+  EXPECT_EQ(dropped.silent, 4);
   EXPECT_EQ(dropped.out_of_bounds, 0);
+  ASSERT_EQ(scan.returns.size(), 2u);
+  EXPECT_EQ(scan.returns[0].intensity, 1.0);  // Whose intensity nobody knows is heard none the less.
+}
+
+TEST(PingChecks, TakeSeveralAtTheVeryMaximumForSilencesAndOneForAnEcho) {
+  auto scan = good_scan();
+  scan.returns = {{0.0, 100.0, 1}, {0.1, 100.0, 1}, {0.0, 40.0, 1}};
+  EXPECT_EQ(drop_returns(scan).silent, 0);
+  scan.returns.push_back({0.05, 100.0, 1});
+  EXPECT_EQ(drop_returns(scan).silent, 3);
   EXPECT_EQ(scan.returns.size(), 1u);
+}
+
+TEST(PingChecks, NoticeAValueOfADriversOwnForSilence) {
+  auto scan = good_scan();
+  scan.returns.assign(7, {0.0, 65.535, 1});
+  EXPECT_EQ(same_range(scan).count, 0);
+  for (int i = 0; i < 6; ++i) scan.returns.insert(scan.returns.begin() + i, {0.0, 10.0 + i, 1});
+  EXPECT_EQ(same_range(scan).count, 7);
+  EXPECT_EQ(same_range(scan).range, 65.535);
+  scan.returns.push_back({0.0, 20.0, 1});
+  EXPECT_EQ(same_range(scan).count, 0);  // Half of them are not most.
 }
 
 TEST(PingChecks, TurnBearingsOfAnotherTurnIntoTheSector) {

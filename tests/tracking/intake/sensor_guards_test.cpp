@@ -99,6 +99,17 @@ TEST_F(SensorGuardsTest, TellsOfAnotherGeometryOnceAndCountsAll) {
   EXPECT_EQ(lines_.size(), 1u);
 }
 
+// A sonar whose driver alternates two ranges once made a line a scan.
+TEST_F(SensorGuardsTest, AGeometryThatAlwaysChangesMakesNoStreamOfLines) {
+  core::SonarScan other = scan(10.0);
+  for (int i = 0; i < 200; ++i) {
+    other.max_range = i % 2 == 0 ? 75.0 : 90.0;
+    guards_.look_at(other);
+  }
+  EXPECT_EQ(ledger_.counts.other_geometry, 200);
+  EXPECT_EQ(lines_.size(), 8u + 4u);  // Each of the first eight, then the 16th, 32nd, 64th and 128th.
+}
+
 TEST_F(SensorGuardsTest, TellsOfStampsInMilliseconds) {
   core::SonarScan ping = scan(10.0);
   for (int i = 0; i < 20; ++i) {
@@ -110,6 +121,17 @@ TEST_F(SensorGuardsTest, TellsOfStampsInMilliseconds) {
   EXPECT_EQ(lines_[0],
             "scan at 0.005 s follows the one before after 0.0005 s, faster than a sonar can ping: stamps in "
             "another unit? utime counts microseconds, time_s seconds (1 so far)");
+}
+
+TEST_F(SensorGuardsTest, TellsOfAValueOfADriversOwnForSilence) {
+  for (int i = 0; i < 3; ++i) {
+    core::SonarScan silent = scan(10.0);
+    silent.returns.resize(12, {0.1, 65.535, 1.0});
+    guards_.drop_returns_of(silent);
+  }
+  ASSERT_EQ(lines_.size(), 2u);  // The first and the second.
+  EXPECT_NE(lines_[0].find("returns have one range, 65.535 m: does it stand for silence?"), std::string::npos)
+      << lines_[0];
 }
 
 TEST_F(SensorGuardsTest, TellsOnceOfRangesInKilometres) {

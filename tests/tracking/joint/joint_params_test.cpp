@@ -60,5 +60,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadValue{"heading steps must be >= 1, got 0", [](auto& p) { p.heading.steps = 0; }},
         BadValue{"target_samples", [](auto& p) { p.learning.target_samples = 0; }}));
 
+// A beam of one degree is 126 m wide, as a standard deviation, at 25 km: with a cut-off of 20 m a target
+// there was never worth a report. The usual sonars keep theirs.
+TEST(JointTrackerParams, TheCutoffOfAReportIsNoNarrowerThanTheSensorsError) {
+  core::SonarParams far;
+  far.max_range = 25'000.0;
+  far.range_sigma = 20.0;
+  EXPECT_NEAR(for_sensor({}, far).report.cutoff, 2.5 * 0.5 * 25'000.0 * far.bearing_sigma_or_default(), 1e-9);
+  EXPECT_EQ(for_sensor({}, core::SonarParams()).report.cutoff, 20.0);
+}
+
 }  // namespace
 }  // namespace lookout::tracking

@@ -35,6 +35,13 @@ TEST(ScanMemory, ForgetsWhatIsOldAndAll) {
   EXPECT_TRUE(memory.scans().empty());
 }
 
+// A mechanically scanned sonar: 60 s hold three of its scans, of which no tracker finds a target again.
+TEST(ScanMemory, KeepsTheScansOfASlowSonar) {
+  ScanMemory memory;
+  for (int k = 0; k < 50; ++k) memory.add(scan(20 * k * kSecond), {});
+  EXPECT_EQ(memory.scans().size(), 50u);
+}
+
 TEST(ScanMemory, KeepsFewerScansOfManyReturns) {
   ScanMemory memory;
   core::SonarScan large = scan(0);

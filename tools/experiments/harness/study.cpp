@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -57,6 +58,9 @@ StudyPart part_of(const std::string& line, const std::string& name) {
 }
 
 std::string digest_of(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored))
+    throw core::InputError(path + ": is no plain file; a study reads its inputs again, expected one");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw core::InputError(path + ": cannot be read");
   std::uint64_t hash = kFnvBasis;
