@@ -17,6 +17,7 @@ constexpr double kMostExponent = 25.0;
 }  // namespace
 
 void CellStanding::begin(double time) {
+  time_ = time;
   if (frames_++ < params_.early_frames) learnt_time_ = time;
 }
 
@@ -56,8 +57,8 @@ double CellStanding::moved_ratio(const CellTrack& track, const Eigen::Matrix2d& 
 
 void CellStanding::judge_motion(const ScaleSpace& scales, const CellGeometry& geometry, double time,
                                 CellTrack& track) const {
-  if (!params_.judged || time <= track.first_time) return;
   const CellView view = geometry.observe(track.state.head<2>());
+  if (!params_.judged || time <= track.first_time) return;
   const double passed = time - track.first_time;
   const ScaledFrame& scaled = scales.scales()[static_cast<std::size_t>(track.scale)];
   const Eigen::Matrix2d to_position = scaled.to_scale(view).jacobian.inverse();
@@ -77,7 +78,11 @@ bool CellStanding::stands(const CellTrack& track) const {
 }
 
 bool CellStanding::may_be_a_mark(const CellTrack& track) const {
-  return params_.judged && track.age < params_.mark_age && track.moving_in_frame < params_.least_moving;
+  return params_.judged && is_new(track) && track.moving_in_frame < params_.least_moving;
+}
+
+bool CellStanding::is_new(const CellTrack& track) const {
+  return track.age < params_.min_age || time_ - track.first_time < params_.mark_time;
 }
 
 bool CellStanding::may_be_target(const CellTrack& track) const {

@@ -43,6 +43,7 @@ class CellStanding {
     Eigen::Vector2d position;
     double time;
   };
+  bool is_new(const CellTrack& track) const;
   double moved_ratio(const CellTrack& track, const Eigen::Matrix2d& place, const Eigen::Vector2d& along,
                      double passed) const;
   double way_ratio(const Eigen::Vector2d& way, const Eigen::Matrix2d& standing) const;
@@ -51,6 +52,7 @@ class CellStanding {
 
   CellStandingParams params_;
   std::vector<Place> places_;
+  double time_ = 0.0;         ///< Of the frame at hand [s].
   double learnt_time_ = 0.0;  ///< Tracks before it began while the background was unknown [s].
   int frames_ = 0;
 };

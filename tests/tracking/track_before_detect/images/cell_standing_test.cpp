@@ -67,14 +67,17 @@ TEST(CellStanding, WhatGoesAlongWithTheSensorMovesOverGroundAndStandsInItsFrame)
 
 TEST(CellStanding, WhatGoesAlongMayBeAMarkUntilItHasDoneSoForLong) {
   const CellStandingParams params;
-  const CellStanding standing(params);
+  CellStanding standing(params);
   CellTrack along = judged({12.0, 0.0}, Gone{}), apart = judged({12.0, 9.0}, Gone{});
-  along.age = apart.age = params.mark_age - 1;
+  along.age = apart.age = 100;
+  standing.begin(along.first_time + params.mark_time - 0.1);
   EXPECT_TRUE(standing.may_be_a_mark(along));
   EXPECT_FALSE(standing.may_be_a_mark(apart));
-  along.age = params.mark_age;
+  standing.begin(along.first_time + params.mark_time);
   EXPECT_FALSE(standing.may_be_a_mark(along));
   EXPECT_FALSE(standing.stands(along));
+  along.age = params.min_age - 1;  // of few pings, however long they took
+  EXPECT_TRUE(standing.may_be_a_mark(along));
 }
 
 TEST(CellStanding, TracksOfTheFirstFramesHaveTimeToShowThatTheyMove) {
