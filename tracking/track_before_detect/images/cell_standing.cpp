@@ -73,8 +73,11 @@ void CellStanding::judge_motion(const ScaleSpace& scales, const CellGeometry& ge
 }
 
 bool CellStanding::stands(const CellTrack& track) const {
-  const bool early = track.first_time < learnt_time_ && track.age < params_.early_age;
-  return params_.judged && !early && track.moving < params_.least_moving;
+  return params_.judged && !is_early(track) && track.moving < params_.least_moving;
+}
+
+bool CellStanding::is_early(const CellTrack& track) const {
+  return track.first_time < learnt_time_ && track.age < params_.early_age;
 }
 
 bool CellStanding::may_be_a_mark(const CellTrack& track) const {

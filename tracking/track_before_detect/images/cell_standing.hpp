@@ -22,6 +22,8 @@ class CellStanding {
   /// track wanders to and fro within its signature. And whether it moves in the sonar's frame.
   void judge_motion(const ScaleSpace& scales, const CellGeometry& geometry, double time,
                     CellTrack& track) const;
+  /// Whether the track began in the first frames and has not had the time to show what it is.
+  bool is_early(const CellTrack& track) const;
   /// Whether the track counts as standing.
   bool stands(const CellTrack& track) const;
   /// The same, and it is old enough to be given up for it.

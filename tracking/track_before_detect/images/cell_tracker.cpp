@@ -10,9 +10,10 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kReachSigmas = 2.5;      // of a target's filtered signature around its centre
-constexpr double kClaimSigmas = 4.0;      // of a target's signature whose cells are not learnt
-constexpr double kClaimExistence = 0.02;  // below it nothing is kept from the background
+constexpr double kReachSigmas = 2.5;         // of a target's filtered signature around its centre
+constexpr double kClaimSigmas = 4.0;         // of a target's signature whose cells are not learnt
+constexpr double kClaimProbability = 0.3;    // of a moving target, below which its cells are learnt
+constexpr double kUnrestProbability = 0.02;  // and below which how much they fluctuate is learnt
 constexpr double kStandingExistence =
     0.5;                                // below it there is nothing to stand: noise is left to the background
 constexpr double kSameVelocity = 16.0;  // chi-square at four degrees of freedom
@@ -46,8 +47,9 @@ const std::vector<CellTrack>& CellTracker::update(const IntensityFrame& frame, c
   claim_standing(geometry);
   end_tracks(time);
   start_tracks(geometry, time);
-  claim_targets(geometry);
-  scales_.learn(claims_.targets);
+  claim_targets(geometry, kUnrestProbability, windows_);
+  scales_.learn(windows_);
+  claim_targets(geometry, kClaimProbability, claims_.targets);
   return tracks_;
 }
 
@@ -258,12 +260,15 @@ void CellTracker::claim_standing(const CellGeometry& geometry) {
   }
 }
 
-/// Tells the background what may be a target: new tracks, and older ones that surely move.
-void CellTracker::claim_targets(const CellGeometry& geometry) {
-  claims_.targets.clear();
+/// Overwrites `windows` with the cells of what is a moving target at least with `probability`: new tracks,
+/// and older ones that surely move.
+void CellTracker::claim_targets(const CellGeometry& geometry, double probability,
+                                std::vector<CellWindow>& windows) const {
+  windows.clear();
   for (const CellTrack& track : tracks_) {
-    if (track.inside && standing_.may_be_target(track) && track.existence > kClaimExistence)
-      claims_.targets.push_back(window_of(track, geometry));
+    const double least = standing_.is_early(track) ? kUnrestProbability : probability;
+    if (track.inside && standing_.may_be_target(track) && track.existence * track.moving > least)
+      windows.push_back(window_of(track, geometry));
   }
 }
 

@@ -46,7 +46,8 @@ class CellTracker : public CellTargetTracker {
   void start_tracks(const CellGeometry& geometry, double time);
   CellTrack new_track(const CellGeometry& geometry, const Candidate& candidate, double time);
   void claim_standing(const CellGeometry& geometry);
-  void claim_targets(const CellGeometry& geometry);
+  void claim_targets(const CellGeometry& geometry, double probability,
+                     std::vector<CellWindow>& windows) const;
   CellWindow window_of(const CellTrack& track, const CellGeometry& geometry) const;
 
   CellTrackerParams params_;
