@@ -58,8 +58,13 @@ double CellStanding::moved_ratio(const CellTrack& track, const Eigen::Matrix2d& 
 void CellStanding::judge_motion(const ScaleSpace& scales, const CellGeometry& geometry, double time,
                                 CellTrack& track) const {
   const CellView view = geometry.observe(track.state.head<2>());
-  if (!params_.judged || time <= track.first_time) return;
-  const double passed = time - track.first_time;
+  if (!track.whole && !track.confirmed && is_new(track)) {
+    track.first_position = track.state.head<2>();
+    track.first_cell = view.cell;
+    track.whole_time = time;
+  }
+  if (!params_.judged || time <= track.whole_time) return;
+  const double passed = time - track.whole_time;
   const ScaledFrame& scaled = scales.scales()[static_cast<std::size_t>(track.scale)];
   const Eigen::Matrix2d to_position = scaled.to_scale(view).jacobian.inverse();
   const Eigen::Vector2d variance = scales.params().filter.sigma.array().square();
@@ -81,7 +86,7 @@ bool CellStanding::is_early(const CellTrack& track) const {
 }
 
 bool CellStanding::may_be_a_mark(const CellTrack& track) const {
-  return params_.judged && is_new(track) && track.moving_in_frame < params_.least_moving;
+  return params_.judged && is_new(track) && (!track.whole || track.moving_in_frame < params_.least_moving);
 }
 
 bool CellStanding::is_new(const CellTrack& track) const {

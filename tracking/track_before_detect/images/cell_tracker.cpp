@@ -82,6 +82,7 @@ void CellTracker::predict(double time) {
 
 /// Filters the frame in all scales; the blocks that confirmed targets reach are no background.
 void CellTracker::look(const IntensityFrame& frame, const CellGeometry& geometry) {
+  frame_size_ = {static_cast<double>(frame.columns), static_cast<double>(frame.rows)};
   windows_.clear();
   const auto scales = scales_.scales().size();
   for (const CellTrack& track : tracks_) {
@@ -124,6 +125,13 @@ double CellTracker::likelihood_ratio(const CellGeometry& geometry, const CellTra
   return evidence_.likelihood_ratio(scales_, geometry, track, start);
 }
 
+/// Whether the frame holds all that a target's filtered signature reaches.
+bool CellTracker::is_whole(const CellTrack& track, const CellView& view) const {
+  const Eigen::Array2d reach =
+      kReachSigmas * scales_.signature(static_cast<std::size_t>(track.scale)).array();
+  return (view.cell.array() >= reach).all() && (view.cell.array() <= frame_size_ - reach).all();
+}
+
 /// The signature is no exact one and its cells are coarse: an error that does not average out, a small part
 /// of the signature.
 void CellTracker::set_systematic(CellTrack& track, const CellView& view) const {
@@ -141,6 +149,7 @@ void CellTracker::judge(const CellGeometry& geometry, double time) {
     if (track.inside && !view.inside) track.outside_since = time;
     track.inside = view.inside;
     if (!view.inside) continue;
+    track.whole = is_whole(track, view);
     evidence_.judge_existence(track, ratios_[k], time);
     standing_.judge_motion(scales_, geometry, time, track);
     if (track.measured) judge_scale(scales_, view, track);
@@ -217,7 +226,7 @@ CellTrack CellTracker::new_track(const CellGeometry& geometry, const Candidate& 
   track.least_existence = kLosing * track.existence;
   track.moving_odds = standing_.first_odds(scales_, geometry, candidate);
   track.signature = sigma.cwiseProduct(geometry.cell_size());
-  track.first_time = track.last_detection_time = time;
+  track.first_time = track.whole_time = track.last_detection_time = time;
   return track;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/parameter_check.hpp"
 #include "tracking/track_before_detect/images/cell_target_tracker.hpp"
@@ -20,6 +21,7 @@ constexpr std::size_t kSample = 4096;          // values that a median is taken 
 constexpr double kRidgeSigmas = 4.0;           // where a ridge is looked for, either side of a peak
 constexpr double kApartSigmas = 4.0;           // candidates nearer than this are one
 constexpr double kUnremarkable = -2.0;         // ln of a probability above which no ridge is looked for
+constexpr double kOutside = std::numeric_limits<double>::infinity();  // in place of an amplitude
 constexpr double kMostCorrelation = 30.0;
 constexpr double kLeastDisplayed = 1e-6;
 constexpr int kMemory = 30;            // frames over which the filter's output is averaged in a cell
@@ -289,18 +291,19 @@ double ScaleSpace::cell_log_probability(const ScaledFrame& scaled, int column, i
 }
 
 /// Filtered amplitude that two places on opposite sides of the peak have in common, the largest of four
-/// directions; 0 where there is none.
+/// directions; 0 where there is none. Where one lies outside the frame, the other speaks for both.
 double ScaleSpace::ridge(const MatchedFilter& filter, int at_column, int at_row) const {
   const int x = static_cast<int>(std::ceil(kRidgeSigmas * params_.filter.sigma.x()));
   const int y = static_cast<int>(std::ceil(kRidgeSigmas * params_.filter.sigma.y()));
   const auto value = [&](int column, int row) {
     const bool inside = column >= 0 && column < filter.columns() && row >= 0 && row < filter.rows();
-    return inside ? filter.at(column, row) : 0.0;
+    return inside ? filter.at(column, row) : kOutside;
   };
   double highest = 0.0;
-  for (const auto& [dx, dy] : std::array<std::pair<int, int>, 4>{{{x, 0}, {0, y}, {x, y}, {x, -y}}})
-    highest =
-        std::max(highest, std::min(value(at_column + dx, at_row + dy), value(at_column - dx, at_row - dy)));
+  for (const auto& [dx, dy] : std::array<std::pair<int, int>, 4>{{{x, 0}, {0, y}, {x, y}, {x, -y}}}) {
+    const double common = std::min(value(at_column + dx, at_row + dy), value(at_column - dx, at_row - dy));
+    if (common < kOutside) highest = std::max(highest, common);
+  }
   return highest;
 }
 

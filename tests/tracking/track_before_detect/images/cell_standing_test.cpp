@@ -80,6 +80,25 @@ TEST(CellStanding, WhatGoesAlongMayBeAMarkUntilItHasDoneSoForLong) {
   EXPECT_TRUE(standing.may_be_a_mark(along));
 }
 
+// Of a rock that comes into view the middle of the part that is seen makes a way over ground.
+TEST(CellStanding, WhatTheBorderCutsIsJudgedFromWhenItIsWhole) {
+  const CellStandingParams params;
+  CellStanding standing(params);
+  CellTrack track = track_that_went({12.0, 9.0});
+  track.whole = false;
+  track.age = 100;
+  const double soon = track.first_time + 0.9 * params.mark_time, late = track.first_time + params.mark_time;
+  standing.begin(soon);
+  standing.judge_motion(seen(), kGeometry, soon, track);
+  EXPECT_EQ(track.first_position, Eigen::Vector2d(track.state.head<2>()));
+  EXPECT_EQ(track.whole_time, soon);
+  EXPECT_TRUE(standing.may_be_a_mark(track));
+  standing.begin(late);  // as a target that keeps to the border
+  standing.judge_motion(seen(), kGeometry, late, track);
+  EXPECT_EQ(track.whole_time, soon);
+  EXPECT_FALSE(standing.may_be_a_mark(track));
+}
+
 TEST(CellStanding, TracksOfTheFirstFramesHaveTimeToShowThatTheyMove) {
   CellStandingParams params;
   CellStanding standing(params);

@@ -90,6 +90,18 @@ TEST(ScaleSpace, ACellOfARidgeIsNoneOfATarget) {
   EXPECT_GT(middle_of(with_ridge(blob)), middle_of(blob));
 }
 
+// A column of the frame, as a wall that leaves the fan: its last cells have a neighbour on one side alone.
+TEST(ScaleSpace, ARidgeEndsAtTheBorderOfTheFrame) {
+  IntensityFrame wall = frame_with_blob({1.1, 0.75}, 0.0, 1004);
+  for (int column = 159; column < 162; ++column)
+    for (int row = 0; row < wall.rows; ++row) wall.values[wall.index(column, row)] += 5.0;
+  ScaleSpace scales({}, kThreshold);
+  scales.apply(wall, kCell, {});
+  const ScaledFrame& finest = scales.scales()[0];
+  EXPECT_GT(scales.cell_log_probability(finest, 160, 1), -3.0);
+  EXPECT_GT(scales.cell_log_probability(finest, 160, wall.rows - 2), -3.0);
+}
+
 TEST(ScaleSpace, WhatGlittersFromFrameToFrameComesToTheLevelOfTheRest) {
   ScaleSpace scales({}, kThreshold);
   double first = 0.0, last = 0.0;
