@@ -226,6 +226,16 @@ bool takes_images(const Configuration& configuration) {
   return configuration.detects || tracks_images(configuration);
 }
 
+tracking::InstrumentParams instrument_of(const Configuration& configuration) {
+  const tracking::TbdParams& tbd = configuration.tbd;
+  return {.pulse_length = tbd.pulse_length,
+          .beam_width = tbd.beam_width,
+          .max_speed = configuration.sensor.max_speed,
+          .slowest = tbd.slowest,
+          .birth_rate = tbd.birth_rate,
+          .mark_time = tbd.mark_time};
+}
+
 core::SonarParams params_of_images(const core::SonarParams& known, const core::SonarParams& configured) {
   core::SonarParams params = known;
   params.miss_probability = configured.miss_probability;

@@ -10,6 +10,7 @@
 #include "tools/cli/options.hpp"
 #include "tracking/detection_chain.hpp"
 #include "tracking/track_before_detect/frames/frame_tracker_registry.hpp"
+#include "tracking/track_before_detect/images/image_tracker.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {
@@ -49,6 +50,9 @@ bool tracks_images(const Configuration& configuration);
 
 /// Whether what is tracked comes in images, be it as they are or through detection.
 bool takes_images(const Configuration& configuration);
+
+/// What the `tbd` part says of a sonar whose images are tracked, and the `sensor` part of its targets.
+tracking::InstrumentParams instrument_of(const Configuration& configuration);
 
 /// What is known of a sonar (by a scene or a recording) whose images returns are found in: P_F, P_M, errors
 /// and resolution of the returns that it makes itself say nothing of ours, and are those of `configured`.

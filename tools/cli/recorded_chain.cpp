@@ -56,8 +56,7 @@ RecordedDetectionChain::RecordedDetectionChain(const Configuration& configuratio
 RecordedImageChain::RecordedImageChain(const Configuration& configuration)
     : chain_(
           configuration.sensor, "h_pmht", [this](const tracking::PingResult& result) { output_.add(result); },
-          [](const std::string& line) { log_warning(line); },
-          {configuration.tbd.pulse_length, configuration.tbd.beam_width}) {}
+          [](const std::string& line) { log_warning(line); }, instrument_of(configuration)) {}
 
 std::string describe(const tracking::IntakeCounts& counts) {
   std::string line = std::to_string(counts.accepted) + " scans tracked";

@@ -49,9 +49,8 @@ void track_images(lcmtypes::Bus& bus, const tracking::TrackerNodeParams& params,
   tracking::ImageTrackerNode node(
       bus, params,
       [&configuration](auto on_result, auto report) {
-        return std::make_unique<tracking::ImageChain>(
-            configuration.sensor, "h_pmht", std::move(on_result), std::move(report),
-            tracking::InstrumentParams{configuration.tbd.pulse_length, configuration.tbd.beam_width});
+        return std::make_unique<tracking::ImageChain>(configuration.sensor, "h_pmht", std::move(on_result),
+                                                      std::move(report), instrument_of(configuration));
       },
       warn);
   log_info("track: h_pmht on SONAR_IMAGE");

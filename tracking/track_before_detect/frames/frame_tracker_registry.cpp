@@ -80,6 +80,9 @@ void read_tbd_params(const core::YamlMap& map, TbdParams& params) {
   params.pulse_length = map.number("pulse_length", params.pulse_length, core::kNotNegative);
   params.beam_width =
       core::radians(map.number("beam_width_deg", core::degrees(params.beam_width), core::kNotNegative));
+  params.slowest = map.number("slowest", params.slowest, core::kNotNegative);
+  params.birth_rate = map.number("birth_rate", params.birth_rate, core::kPositive);
+  params.mark_time = map.number("mark_time", params.mark_time, core::kNotNegative);
   params.max_speed = map.number("max_speed", params.max_speed, core::kPositive);
   map.finish();
 }

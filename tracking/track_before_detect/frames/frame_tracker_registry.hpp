@@ -34,6 +34,9 @@ struct TbdParams {
   double start_velocity_sigma = 0.2;  ///< [px/frame], >= 0.
   double pulse_length = 0.0;          ///< Of a sonar, see InstrumentParams [m], >= 0; 0: found in the images.
   double beam_width = 0.0;            ///< Likewise [rad], >= 0.
+  double slowest = 0.0;               ///< Likewise [m/s], >= 0; 0: a tenth of the fastest.
+  double birth_rate = 6.0;            ///< Likewise [1/s], > 0.
+  double mark_time = 5.0;             ///< Likewise [s], >= 0.
   double max_speed = 10.0;            ///< Of automatically found targets [px/frame], > 0.
 };
 

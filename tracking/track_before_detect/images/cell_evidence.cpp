@@ -61,7 +61,7 @@ double CellEvidence::mean_ratio(const ScaleSpace& scales, const CellTrack& track
       const Eigen::Vector2d off = Eigen::Vector2d(column + 0.5, row + 0.5) - own.cell;
       const double prior = density * std::exp(-0.5 * off.dot(S_inverse * off));
       if (prior < kNoPrior) continue;
-      sum += prior * std::exp(log_ratio(scaled.cells.log_probability(scaled.filter.at(column, row))));
+      sum += prior * std::exp(log_ratio(scales.cell_log_probability(scaled, column, row)));
     }
   return sum;
 }

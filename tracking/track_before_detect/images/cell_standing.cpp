@@ -17,6 +17,7 @@ constexpr double kMostExponent = 25.0;
 }  // namespace
 
 void CellStanding::begin(double time) {
+  time_ = time;
   if (frames_++ < params_.early_frames) learnt_time_ = time;
 }
 
@@ -56,9 +57,14 @@ double CellStanding::moved_ratio(const CellTrack& track, const Eigen::Matrix2d& 
 
 void CellStanding::judge_motion(const ScaleSpace& scales, const CellGeometry& geometry, double time,
                                 CellTrack& track) const {
-  if (!params_.judged || time <= track.first_time) return;
   const CellView view = geometry.observe(track.state.head<2>());
-  const double passed = time - track.first_time;
+  if (!track.whole && !track.confirmed && is_new(track)) {
+    track.first_position = track.state.head<2>();
+    track.first_cell = view.cell;
+    track.whole_time = time;
+  }
+  if (!params_.judged || time <= track.whole_time) return;
+  const double passed = time - track.whole_time;
   const ScaledFrame& scaled = scales.scales()[static_cast<std::size_t>(track.scale)];
   const Eigen::Matrix2d to_position = scaled.to_scale(view).jacobian.inverse();
   const Eigen::Vector2d variance = scales.params().filter.sigma.array().square();
@@ -72,12 +78,19 @@ void CellStanding::judge_motion(const ScaleSpace& scales, const CellGeometry& ge
 }
 
 bool CellStanding::stands(const CellTrack& track) const {
-  const bool early = track.first_time < learnt_time_ && track.age < params_.early_age;
-  return params_.judged && !early && track.moving < params_.least_moving;
+  return params_.judged && !is_early(track) && track.moving < params_.least_moving;
+}
+
+bool CellStanding::is_early(const CellTrack& track) const {
+  return track.first_time < learnt_time_ && track.age < params_.early_age;
 }
 
 bool CellStanding::may_be_a_mark(const CellTrack& track) const {
-  return params_.judged && track.age < params_.mark_age && track.moving_in_frame < params_.least_moving;
+  return params_.judged && is_new(track) && (!track.whole || track.moving_in_frame < params_.least_moving);
+}
+
+bool CellStanding::is_new(const CellTrack& track) const {
+  return track.age < params_.min_age || time_ - track.first_time < params_.mark_time;
 }
 
 bool CellStanding::may_be_target(const CellTrack& track) const {

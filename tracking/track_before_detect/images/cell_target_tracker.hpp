@@ -32,10 +32,12 @@ struct CellTrack {
   int scale = 0;                         ///< Of the cells in which it is measured.
   Eigen::Vector2d signature{0, 0};       ///< Standard deviation of its intensity [m, rad; px].
   bool inside = true;                    ///< In the image at the last frame.
+  bool whole = true;                     ///< And all of its signature.
   int age = 0;                           ///< Frames since its first.
-  Eigen::Vector2d first_position{0, 0};  ///< Where it began.
+  Eigen::Vector2d first_position{0, 0};  ///< Where it began, or was first seen whole.
   Eigen::Vector2d first_cell{0, 0};      ///< And at which cell of the image.
-  double first_time = 0.0;               ///< [s]
+  double first_time = 0.0;               ///< When it began [s].
+  double whole_time = 0.0;               ///< And since when its way is judged [s].
   double last_detection_time = 0.0;      ///< When its block last ranked in the best twentieth [s].
   double outside_since = 0.0;            ///< [s], while not inside.
 

@@ -10,9 +10,10 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kReachSigmas = 2.5;      // of a target's filtered signature around its centre
-constexpr double kClaimSigmas = 4.0;      // of a target's signature whose cells are not learnt
-constexpr double kClaimExistence = 0.02;  // below it nothing is kept from the background
+constexpr double kReachSigmas = 2.5;         // of a target's filtered signature around its centre
+constexpr double kClaimSigmas = 4.0;         // of a target's signature whose cells are not learnt
+constexpr double kClaimProbability = 0.3;    // of a moving target, below which its cells are learnt
+constexpr double kUnrestProbability = 0.02;  // and below which how much they fluctuate is learnt
 constexpr double kStandingExistence =
     0.5;                                // below it there is nothing to stand: noise is left to the background
 constexpr double kSameVelocity = 16.0;  // chi-square at four degrees of freedom
@@ -46,8 +47,9 @@ const std::vector<CellTrack>& CellTracker::update(const IntensityFrame& frame, c
   claim_standing(geometry);
   end_tracks(time);
   start_tracks(geometry, time);
-  claim_targets(geometry);
-  scales_.learn(claims_.targets);
+  claim_targets(geometry, kUnrestProbability, windows_);
+  scales_.learn(windows_);
+  claim_targets(geometry, kClaimProbability, claims_.targets);
   return tracks_;
 }
 
@@ -80,6 +82,7 @@ void CellTracker::predict(double time) {
 
 /// Filters the frame in all scales; the blocks that confirmed targets reach are no background.
 void CellTracker::look(const IntensityFrame& frame, const CellGeometry& geometry) {
+  frame_size_ = {static_cast<double>(frame.columns), static_cast<double>(frame.rows)};
   windows_.clear();
   const auto scales = scales_.scales().size();
   for (const CellTrack& track : tracks_) {
@@ -122,6 +125,13 @@ double CellTracker::likelihood_ratio(const CellGeometry& geometry, const CellTra
   return evidence_.likelihood_ratio(scales_, geometry, track, start);
 }
 
+/// Whether the frame holds all that a target's filtered signature reaches.
+bool CellTracker::is_whole(const CellTrack& track, const CellView& view) const {
+  const Eigen::Array2d reach =
+      kReachSigmas * scales_.signature(static_cast<std::size_t>(track.scale)).array();
+  return (view.cell.array() >= reach).all() && (view.cell.array() <= frame_size_ - reach).all();
+}
+
 /// The signature is no exact one and its cells are coarse: an error that does not average out, a small part
 /// of the signature.
 void CellTracker::set_systematic(CellTrack& track, const CellView& view) const {
@@ -139,6 +149,7 @@ void CellTracker::judge(const CellGeometry& geometry, double time) {
     if (track.inside && !view.inside) track.outside_since = time;
     track.inside = view.inside;
     if (!view.inside) continue;
+    track.whole = is_whole(track, view);
     evidence_.judge_existence(track, ratios_[k], time);
     standing_.judge_motion(scales_, geometry, time, track);
     if (track.measured) judge_scale(scales_, view, track);
@@ -215,7 +226,7 @@ CellTrack CellTracker::new_track(const CellGeometry& geometry, const Candidate& 
   track.least_existence = kLosing * track.existence;
   track.moving_odds = standing_.first_odds(scales_, geometry, candidate);
   track.signature = sigma.cwiseProduct(geometry.cell_size());
-  track.first_time = track.last_detection_time = time;
+  track.first_time = track.whole_time = track.last_detection_time = time;
   return track;
 }
 
@@ -258,12 +269,15 @@ void CellTracker::claim_standing(const CellGeometry& geometry) {
   }
 }
 
-/// Tells the background what may be a target: new tracks, and older ones that surely move.
-void CellTracker::claim_targets(const CellGeometry& geometry) {
-  claims_.targets.clear();
+/// Overwrites `windows` with the cells of what is a moving target at least with `probability`: new tracks,
+/// and older ones that surely move.
+void CellTracker::claim_targets(const CellGeometry& geometry, double probability,
+                                std::vector<CellWindow>& windows) const {
+  windows.clear();
   for (const CellTrack& track : tracks_) {
-    if (track.inside && standing_.may_be_target(track) && track.existence > kClaimExistence)
-      claims_.targets.push_back(window_of(track, geometry));
+    const double least = standing_.is_early(track) ? kUnrestProbability : probability;
+    if (track.inside && standing_.may_be_target(track) && track.existence * track.moving > least)
+      windows.push_back(window_of(track, geometry));
   }
 }
 

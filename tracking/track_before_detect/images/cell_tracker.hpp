@@ -38,6 +38,7 @@ class CellTracker : public CellTargetTracker {
   double likelihood_ratio(const CellGeometry& geometry, const CellTrack& track,
                           const Eigen::Vector2d& start) const;
   void judge(const CellGeometry& geometry, double time);
+  bool is_whole(const CellTrack& track, const CellView& view) const;
   void set_systematic(CellTrack& track, const CellView& view) const;
   void confirm(CellTrack& track) const;
   void end_tracks(double time);
@@ -46,10 +47,12 @@ class CellTracker : public CellTargetTracker {
   void start_tracks(const CellGeometry& geometry, double time);
   CellTrack new_track(const CellGeometry& geometry, const Candidate& candidate, double time);
   void claim_standing(const CellGeometry& geometry);
-  void claim_targets(const CellGeometry& geometry);
+  void claim_targets(const CellGeometry& geometry, double probability,
+                     std::vector<CellWindow>& windows) const;
   CellWindow window_of(const CellTrack& track, const CellGeometry& geometry) const;
 
   CellTrackerParams params_;
+  Eigen::Array2d frame_size_{0.0, 0.0};  ///< Columns, rows of the frame at hand.
   ScaleSpace scales_;
   CellPeaks peaks_;
   CellMeasurement measurement_;

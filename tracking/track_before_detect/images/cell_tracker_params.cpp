@@ -49,6 +49,7 @@ void check(const CellStandingParams& p) {
   core::require(p.least_moving > 0.0 && p.least_moving < 1.0, "least_moving must be in (0, 1)",
                 p.least_moving);
   core::require(p.min_age >= 1, "min_age must be >= 1", p.min_age);
+  core::require_not_negative("mark_time", p.mark_time);
   core::require_positive("memory", p.memory);
 }
 

@@ -46,7 +46,7 @@ struct CellStandingParams {
   int min_age = 4;            ///< Frames before that is judged, >= 1.
   int early_frames = 6;       ///< Frames from the first, of which all that stands is new, >= 0.
   int early_age = 15;         ///< Age at which tracks that began then are judged, >= 1.
-  int mark_age = 10;          ///< Age from which what goes along with the sensor may be confirmed, >= 0.
+  double mark_time = 5.0;     ///< After which what goes along with the sensor may be confirmed [s], >= 0.
   double memory = 60.0;       ///< How long a standing place is known [s], > 0.
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/beam_bearings.hpp"
 #include "core/parameter_check.hpp"
 #include "tracking/track_before_detect/images/cell_geometry.hpp"
 
@@ -14,6 +15,9 @@ constexpr std::size_t kLeastOfAGain = 20;  // bins that the gain of a beam is le
 constexpr int kLattice = 16;            // cells between the places at which the sonar's motion is evaluated
 constexpr float kStandingStill = 0.5f;  // [cells] of motion since the memory's pose that need no following
 constexpr double kMiddle = 0.5, kLoudShare = 0.75;  // of values in order
+// Between the nulls of a beam, sin(x) / x, over its width at half of the amplitude, and of the power.
+constexpr double kNullsOfAmplitude = 1.66, kNullsOfPower = 2.26;
+constexpr int kGrainPings = 10;                     // pings in which the grain of the speckle is learnt
 constexpr float kLearnt = 0.0f, kStanding = -1.0f;  // how a cell is learnt, but for those that are kept
 
 double quantile_in_place(std::vector<double>& values, double share) {
@@ -38,6 +42,7 @@ ImageBackground::ImageBackground(const ImageBackgroundParams& params) : params_(
   core::require(params.spill >= 0.0 && params.spill <= 1.0, "spill must be in [0, 1]", params.spill);
   core::require_positive("hold", params.hold);
   core::require_positive("slowest", params.slowest);
+  core::require_not_negative("beam_width", params.beam_width);
   core::require(params.least_hold_pings >= 1, "least_hold_pings must be >= 1", params.least_hold_pings);
   core::require_positive("least_share", params.least_share);
   core::require_positive("least_level", params.least_level);
@@ -57,7 +62,20 @@ const IntensityFrame& ImageBackground::normalise(const core::PosedImage& posed) 
   learn_gains(image);
   find_usual(image);
   combine();
+  measure_spread(image);
   return frame_;
+}
+
+/// Beams that the echo of a point spans, as told, or as the grain of the first pings' speckle says.
+void ImageBackground::measure_spread(const core::SonarImage& image) {
+  if (params_.beam_width > 0.0) {
+    wide_.widen(kNullsOfAmplitude * params_.beam_width / core::mean_step(image.bearings));
+  } else if (pings_ <= kGrainPings) {
+    plane_.resize(frame_.rows, frame_.columns);
+    plane_.values.assign(frame_.values.begin(), frame_.values.end());
+    grain_.add(plane_);
+    wide_.widen(kNullsOfPower * grain_.extent().beams);
+  }
 }
 
 /// The usual level of each cell, of its range and beam alone, and what the cell holds in units of it.
@@ -244,6 +262,7 @@ void ImageBackground::follow(const core::PosedImage& posed) {
     has_moved_ = false;
     still_.begin(cells);
     wide_.begin(frame_.columns, frame_.rows);
+    grain_.forget();
     choice_.begin(frame_.columns, frame_.rows);
     gain_.assign(static_cast<std::size_t>(frame_.rows), 1.0);
     pings_ = 0;

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "core/sonar_image.hpp"
+#include "tracking/detection/image_plane.hpp"
+#include "tracking/detection/speckle_grain.hpp"
 #include "tracking/track_before_detect/images/level_memory.hpp"
 #include "tracking/track_before_detect/images/memory_choice.hpp"
 #include "tracking/track_before_detect/images/wide_level.hpp"
@@ -23,6 +25,7 @@ struct ImageBackgroundParams {
   double hold = 8.0;          ///< For which a cell is kept for a target on end [s], > 0; then it is learnt: a
                               ///< target passes, in the sonar's frame and in the earth's.
   double slowest = 0.3;       ///< Target that passes [m/s], > 0: a cell is kept for no longer than it takes.
+  double beam_width = 0.0;    ///< Of an echo at half its amplitude [rad], >= 0; 0: as the speckle shows.
   int least_hold_pings = 16;  ///< And at least for so many pings, >= 1.
   double least_share = 0.7;   ///< Of the usual level, below which no memory brings a cell, > 0: what leaves a
                               ///< shadow is no target.
@@ -60,6 +63,7 @@ class ImageBackground {
   void expect_still();
   void expect_moved();
   void combine();
+  void measure_spread(const core::SonarImage& image);
   float most_kept(const CellWindow& window) const;
   void follow(const core::PosedImage& posed);
   void shift(const core::PosedImage& posed);
@@ -71,6 +75,8 @@ class ImageBackground {
   LevelMemory moved_, still_;  ///< Of the earth's frame and of the sonar's.
   WideLevel wide_;             ///< Of still_.
   MemoryChoice choice_;
+  SpeckleGrain grain_;
+  ImagePlane plane_;  ///< For grain_.
   std::vector<float> expected_, along_, still_expected_;
   std::vector<double> level_;
   std::vector<float> hold_;            ///< By cell, pings that it may be kept for, or how it is learnt.

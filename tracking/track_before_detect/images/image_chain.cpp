@@ -1,10 +1,18 @@
 #include "tracking/track_before_detect/images/image_chain.hpp"
 
 namespace lookout::tracking {
+namespace {
+
+InstrumentParams with_speed(InstrumentParams instrument, double max_speed) {
+  instrument.max_speed = max_speed;
+  return instrument;
+}
+
+}  // namespace
 
 ImageChain::ImageChain(const core::SonarParams& configured, std::string_view method, OnResult on_result,
                        Report report, const InstrumentParams& instrument, const IntakeParams& params)
-    : tracker_(method, {instrument.pulse_length, instrument.beam_width, configured.max_speed}),
+    : tracker_(method, with_speed(instrument, configured.max_speed)),
       on_result_(std::move(on_result)),
       intake_(configured,
               {[this](const core::PosedImage& posed) { track(posed); }, [this] { tracker_.reset(); },

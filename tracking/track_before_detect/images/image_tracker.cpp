@@ -17,6 +17,7 @@ constexpr double kNextScale = 1.42;             // half of the way to the next s
 constexpr double kSpeedMargin = 4.0 / 3.0;      // of an estimate over the fastest target
 constexpr double kStartSpeedShare = 1.0 / 3.0;  // of the fastest target: deviation of an unknown velocity
 constexpr double kMovingSpeedShare = 0.5;       // and of the velocity of what moves, against what stands
+constexpr double kSlowestShare = 0.1;           // and the slowest target, where it is not told
 
 std::unique_ptr<CellTargetTracker> make_targets(std::string_view method, const InstrumentParams& instrument) {
   if (method == "h_pmht") return std::make_unique<CellTracker>(sonar_tracker_params(instrument));
@@ -58,6 +59,7 @@ CellTrackerParams sonar_tracker_params(const InstrumentParams& instrument) {
   core::require_not_negative("pulse_length", instrument.pulse_length);
   core::require_not_negative("beam_width", instrument.beam_width);
   core::require_positive("max_speed", instrument.max_speed);
+  core::require_positive("birth_rate", instrument.birth_rate);
   CellTrackerParams params;
   params.scales.signature =
       Eigen::Vector2d(instrument.pulse_length, instrument.beam_width) / kWidthOfDeviation;
@@ -65,11 +67,21 @@ CellTrackerParams sonar_tracker_params(const InstrumentParams& instrument) {
   params.motion.max_speed = kSpeedMargin * instrument.max_speed;
   params.motion.start_speed_sigma = kStartSpeedShare * instrument.max_speed;
   params.standing.speed_sigma = kMovingSpeedShare * instrument.max_speed;
+  params.standing.mark_time = instrument.mark_time;
+  params.existence.birth_rate = instrument.birth_rate;
+  return params;
+}
+
+ImageBackgroundParams sonar_background_params(const InstrumentParams& instrument) {
+  core::require_not_negative("slowest", instrument.slowest);
+  ImageBackgroundParams params;
+  params.slowest = instrument.slowest > 0.0 ? instrument.slowest : kSlowestShare * instrument.max_speed;
+  params.beam_width = instrument.beam_width;
   return params;
 }
 
 ImageTracker::ImageTracker(std::string_view method, const InstrumentParams& instrument)
-    : targets_(make_targets(method, instrument)) {}
+    : background_(sonar_background_params(instrument)), targets_(make_targets(method, instrument)) {}
 
 ImageTracker::ImageTracker(std::unique_ptr<CellTargetTracker> targets,
                            const ImageBackgroundParams& background)

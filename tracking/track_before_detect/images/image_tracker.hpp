@@ -28,10 +28,16 @@ struct InstrumentParams {
       0.0;  ///< Full width of an echo at half its amplitude [m], >= 0; 0: found in the images.
   double beam_width = 0.0;  ///< The same across beams [rad], >= 0; 0: found in the images.
   double max_speed = 3.0;   ///< Fastest target over ground [m/s], > 0.
+  double slowest = 0.0;     ///< Target that is no background [m/s], >= 0; 0: a tenth of the fastest.
+  double birth_rate = 6.0;  ///< Targets expected to appear in a second, three a ping at most [1/s], > 0.
+  double mark_time = 5.0;   ///< For which a mark of the instrument may go along with the sonar [s], >= 0.
 };
 
 /// The cell tracker's parameters for an instrument. @throws std::invalid_argument for a value out of range.
 CellTrackerParams sonar_tracker_params(const InstrumentParams& instrument);
+
+/// The same of the background's parameters.
+ImageBackgroundParams sonar_background_params(const InstrumentParams& instrument);
 
 /// Names of the registry: "h_pmht", and the baselines "mf_nn" and "cfar_nn".
 std::span<const std::string_view> image_tracker_names();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/parameter_check.hpp"
 #include "tracking/track_before_detect/images/cell_target_tracker.hpp"
@@ -19,6 +20,8 @@ constexpr double kNormalQuartiles = 1.349;     // standard deviations between th
 constexpr std::size_t kSample = 4096;          // values that a median is taken of
 constexpr double kRidgeSigmas = 4.0;           // where a ridge is looked for, either side of a peak
 constexpr double kApartSigmas = 4.0;           // candidates nearer than this are one
+constexpr double kUnremarkable = -2.0;         // ln of a probability above which no ridge is looked for
+constexpr double kOutside = std::numeric_limits<double>::infinity();  // in place of an amplitude
 constexpr double kMostCorrelation = 30.0;
 constexpr double kLeastDisplayed = 1e-6;
 constexpr int kMemory = 30;            // frames over which the filter's output is averaged in a cell
@@ -257,7 +260,7 @@ void ScaleSpace::find(double expected, std::size_t most, std::vector<Candidate>&
     for (const FramePeak& peak : peaks_) {
       const Eigen::Array2d centre(peak.column + 0.5, peak.row + 0.5);
       found_.push_back({static_cast<int>(s), (centre * pool_of(scaled.scale)).matrix(), peak.value,
-                        log_probability(scaled, peak)});
+                        scaled.tail.log_probability(above_ridge(scaled.filter, peak))});
     }
   }
   std::sort(found_.begin(), found_.end(),
@@ -274,26 +277,33 @@ void ScaleSpace::find(double expected, std::size_t most, std::vector<Candidate>&
   }
 }
 
-/// A peak on a ridge, whichever way it runs, is judged as one among cells of the ridge's own level.
-double ScaleSpace::log_probability(const ScaledFrame& scaled, const FramePeak& peak) const {
-  const double above = ridge(scaled.filter, peak);
-  const double level = 1.0 + above / (scaled.filter.gain() * kRayleighMean);
-  return scaled.tail.log_probability((peak.value - above) / level);
+/// A peak on a ridge, whichever way it runs, as one among cells of the usual level.
+double ScaleSpace::above_ridge(const MatchedFilter& filter, const FramePeak& peak) const {
+  const double below = ridge(filter, peak.column, peak.row);
+  return (peak.value - below) / (1.0 + below / (filter.gain() * kRayleighMean));
+}
+
+double ScaleSpace::cell_log_probability(const ScaledFrame& scaled, int column, int row) const {
+  const double value = scaled.filter.at(column, row);
+  const double in_the_open = scaled.cells.log_probability(value);
+  if (in_the_open > kUnremarkable) return in_the_open;
+  return scaled.cells.log_probability(above_ridge(scaled.filter, {column, row, value}));
 }
 
 /// Filtered amplitude that two places on opposite sides of the peak have in common, the largest of four
-/// directions; 0 where there is none.
-double ScaleSpace::ridge(const MatchedFilter& filter, const FramePeak& peak) const {
+/// directions; 0 where there is none. Where one lies outside the frame, the other speaks for both.
+double ScaleSpace::ridge(const MatchedFilter& filter, int at_column, int at_row) const {
   const int x = static_cast<int>(std::ceil(kRidgeSigmas * params_.filter.sigma.x()));
   const int y = static_cast<int>(std::ceil(kRidgeSigmas * params_.filter.sigma.y()));
   const auto value = [&](int column, int row) {
     const bool inside = column >= 0 && column < filter.columns() && row >= 0 && row < filter.rows();
-    return inside ? filter.at(column, row) : 0.0;
+    return inside ? filter.at(column, row) : kOutside;
   };
   double highest = 0.0;
-  for (const auto& [dx, dy] : std::array<std::pair<int, int>, 4>{{{x, 0}, {0, y}, {x, y}, {x, -y}}})
-    highest = std::max(
-        highest, std::min(value(peak.column + dx, peak.row + dy), value(peak.column - dx, peak.row - dy)));
+  for (const auto& [dx, dy] : std::array<std::pair<int, int>, 4>{{{x, 0}, {0, y}, {x, y}, {x, -y}}}) {
+    const double common = std::min(value(at_column + dx, at_row + dy), value(at_column - dx, at_row - dy));
+    if (common < kOutside) highest = std::max(highest, common);
+  }
   return highest;
 }
 

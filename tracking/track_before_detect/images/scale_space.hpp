@@ -88,6 +88,9 @@ class ScaleSpace {
   const std::vector<ScaledFrame>& scales() const { return scales_; }  ///< Of the frame at hand.
   /// Whether the last frame changed which scales there are.
   bool changed() const { return changed_; }
+  /// ln of the probability that a cell of a scale is as bright without a target: on a ridge, whichever way it
+  /// runs, as one among cells of the ridge's own level.
+  double cell_log_probability(const ScaledFrame& scaled, int column, int row) const;
   /// Standard deviation of the signature of a scale [cells of the frame].
   Eigen::Vector2d signature(std::size_t scale) const;
   /// The scale whose signature is nearest to `sigma` [cells of the frame].
@@ -100,8 +103,8 @@ class ScaleSpace {
   void pool(const IntensityFrame& frame);
   void to_scale(const std::vector<CellWindow>& windows, const CellScale& scale);
   void tile(const std::vector<CellWindow>& left_out);
-  double log_probability(const ScaledFrame& scaled, const FramePeak& peak) const;
-  double ridge(const MatchedFilter& filter, const FramePeak& peak) const;
+  double above_ridge(const MatchedFilter& filter, const FramePeak& peak) const;
+  double ridge(const MatchedFilter& filter, int column, int row) const;
 
   ScaleSpaceParams params_;
   double threshold_;

@@ -1,24 +1,31 @@
 #include "tracking/track_before_detect/images/wide_level.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lookout::tracking {
 namespace {
 
-constexpr int kLeastWindow = 17;    // beams, four times a point spread of four
-constexpr int kShareOfTheFan = 8;   // a window is an eighth of it, where that is more
-constexpr float kQuartile = 0.75f;  // of values in order
-constexpr int kMostValues = 33;     // that a quartile is taken of
-constexpr int kSwiftlyLearnt = 12;  // pings in which a memory changes much from one to the next
+constexpr double kLeastSpread = 3.0;  // beams: of two at half of their power, as beams are formed
+constexpr int kWindowOfSpreads = 4;   // of which an echo is a share below what kQuartile leaves out
+constexpr int kShareOfTheFan = 8;     // a window is an eighth of it, where that is more
+constexpr float kQuartile = 0.75f;    // of values in order
+constexpr int kMostValues = 33;       // that a quartile is taken of
+constexpr int kSwiftlyLearnt = 12;    // pings in which a memory changes much from one to the next
 
 }  // namespace
 
 void WideLevel::begin(int bins, int beams) {
   bins_ = bins;
   beams_ = beams;
-  window_ = std::min(beams, std::max(kLeastWindow, beams / kShareOfTheFan));
+  widen(kLeastSpread);
   pings_ = 0;
   level_.assign(index(0, beams + kStep - 1), 1.0f);
+}
+
+void WideLevel::widen(double beams) {
+  const int cells = 1 + static_cast<int>(std::lround(std::max(kLeastSpread, beams)));
+  window_ = std::min(beams_, std::max(kWindowOfSpreads * cells + 1, beams_ / kShareOfTheFan));
 }
 
 void WideLevel::update(const LevelMemory& memory, float prior) {

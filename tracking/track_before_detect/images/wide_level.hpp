@@ -14,6 +14,8 @@ class WideLevel {
  public:
   /// Every cell of an image of bins x beams is at its usual level.
   void begin(int bins, int beams);
+  /// The echo of a point spans so many beams between its nulls; 3 at least, and until this is called.
+  void widen(double beams);
   /// Takes in the memory after a ping: about 300 operations for every 16th cell, in the first pings every
   /// 4th.
   /// @param prior pings that the usual level counts for, > 0.

@@ -32,6 +32,16 @@ TEST(FrameTrackerRegistry, ReadsTheConfiguration) {
   EXPECT_FALSE(read("{dct_db: 3.0}").start.has_value());
 }
 
+TEST(FrameTrackerRegistry, ReadsWhatIsKnownOfASonarsTargets) {
+  const TbdParams params = read("{slowest: 0.1, birth_rate: 0.5, mark_time: 8.0}");
+  EXPECT_EQ(params.slowest, 0.1);
+  EXPECT_EQ(params.birth_rate, 0.5);
+  EXPECT_EQ(params.mark_time, 8.0);
+  EXPECT_THROW(read("{slowest: -0.1}"), core::InputError);
+  EXPECT_THROW(read("{birth_rate: 0.0}"), core::InputError);
+  EXPECT_THROW(read("{mark_time: -1.0}"), core::InputError);
+}
+
 TEST(FrameTrackerRegistry, RefusesWhatItDoesNotKnow) {
   EXPECT_THROW(read("{threshold: 3.0}"), core::InputError);
   EXPECT_THROW(read("{truncation: none}"), core::InputError);

@@ -67,14 +67,36 @@ TEST(CellStanding, WhatGoesAlongWithTheSensorMovesOverGroundAndStandsInItsFrame)
 
 TEST(CellStanding, WhatGoesAlongMayBeAMarkUntilItHasDoneSoForLong) {
   const CellStandingParams params;
-  const CellStanding standing(params);
+  CellStanding standing(params);
   CellTrack along = judged({12.0, 0.0}, Gone{}), apart = judged({12.0, 9.0}, Gone{});
-  along.age = apart.age = params.mark_age - 1;
+  along.age = apart.age = 100;
+  standing.begin(along.first_time + params.mark_time - 0.1);
   EXPECT_TRUE(standing.may_be_a_mark(along));
   EXPECT_FALSE(standing.may_be_a_mark(apart));
-  along.age = params.mark_age;
+  standing.begin(along.first_time + params.mark_time);
   EXPECT_FALSE(standing.may_be_a_mark(along));
   EXPECT_FALSE(standing.stands(along));
+  along.age = params.min_age - 1;  // of few pings, however long they took
+  EXPECT_TRUE(standing.may_be_a_mark(along));
+}
+
+// Of a rock that comes into view the middle of the part that is seen makes a way over ground.
+TEST(CellStanding, WhatTheBorderCutsIsJudgedFromWhenItIsWhole) {
+  const CellStandingParams params;
+  CellStanding standing(params);
+  CellTrack track = track_that_went({12.0, 9.0});
+  track.whole = false;
+  track.age = 100;
+  const double soon = track.first_time + 0.9 * params.mark_time, late = track.first_time + params.mark_time;
+  standing.begin(soon);
+  standing.judge_motion(seen(), kGeometry, soon, track);
+  EXPECT_EQ(track.first_position, Eigen::Vector2d(track.state.head<2>()));
+  EXPECT_EQ(track.whole_time, soon);
+  EXPECT_TRUE(standing.may_be_a_mark(track));
+  standing.begin(late);  // as a target that keeps to the border
+  standing.judge_motion(seen(), kGeometry, late, track);
+  EXPECT_EQ(track.whole_time, soon);
+  EXPECT_FALSE(standing.may_be_a_mark(track));
 }
 
 TEST(CellStanding, TracksOfTheFirstFramesHaveTimeToShowThatTheyMove) {

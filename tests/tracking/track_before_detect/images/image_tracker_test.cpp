@@ -206,8 +206,19 @@ TEST(ImageTracker, AKnownPulseAndBeamServeAsWell) {
   EXPECT_LT((tracks[0].position() - scene.truth(19).head<2>()).norm(), 0.5);
 }
 
+TEST(ImageTracker, WhatIsNotToldOfTargetsFollowsFromTheFastest) {
+  EXPECT_NEAR(sonar_background_params({.max_speed = 3.0}).slowest, 0.3, 1e-12);
+  EXPECT_NEAR(sonar_background_params({.max_speed = 10.0}).slowest, 1.0, 1e-12);
+  EXPECT_EQ(sonar_background_params({.max_speed = 10.0, .slowest = 0.2}).slowest, 0.2);
+  EXPECT_EQ(sonar_tracker_params({.birth_rate = 0.5}).existence.birth_rate, 0.5);
+  EXPECT_EQ(sonar_tracker_params({.mark_time = 8.0}).standing.mark_time, 8.0);
+}
+
 TEST(ImageTracker, RefusesAnInstrumentOutOfRange) {
   EXPECT_THROW(ImageTracker("h_pmht", {-1.0, 0.0, 3.0}), std::invalid_argument);
+  EXPECT_THROW(ImageTracker("h_pmht", {.slowest = -0.1}), std::invalid_argument);
+  EXPECT_THROW(ImageTracker("h_pmht", {.birth_rate = 0.0}), std::invalid_argument);
+  EXPECT_THROW(ImageTracker("h_pmht", {.mark_time = -1.0}), std::invalid_argument);
 }
 
 TEST(ImageTracker, RefusesAnUnknownMethod) {

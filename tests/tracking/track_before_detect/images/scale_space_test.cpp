@@ -54,10 +54,15 @@ TEST(ScaleSpace, AKnownSignatureLeavesTheScaleNearestToIt) {
   EXPECT_EQ(scales.scales()[0].scale, (CellScale{4, 2}));
 }
 
+/// The frame with a ridge of rows 59 to 61, as far above the rest as a blob's flank.
+IntensityFrame with_ridge(IntensityFrame frame) {
+  for (int column = 0; column < frame.columns; ++column)
+    for (int row = 59; row < 62; ++row) frame.values[frame.index(column, row)] += 5.0;
+  return frame;
+}
+
 TEST(ScaleSpace, APeakOnARidgeIsLessThanTheSameInTheOpen) {
-  IntensityFrame open = frame_with_blob({1.1, 0.75}, 8.0, 1002), ridge = open;
-  for (int column = 0; column < ridge.columns; ++column)
-    for (int row = 59; row < 62; ++row) ridge.values[ridge.index(column, row)] += 5.0;
+  const IntensityFrame open = frame_with_blob({1.1, 0.75}, 8.0, 1002), ridge = with_ridge(open);
   ScaleSpace a({}, kThreshold), b({}, kThreshold);
   std::vector<Candidate> in_open, on_ridge;
   a.apply(open, kCell, {});
@@ -67,6 +72,34 @@ TEST(ScaleSpace, APeakOnARidgeIsLessThanTheSameInTheOpen) {
   ASSERT_FALSE(in_open.empty());
   ASSERT_FALSE(on_ridge.empty());
   EXPECT_LT(in_open[0].log_probability, on_ridge[0].log_probability);
+}
+
+/// ln of the probability of cell (160, 60) in the finest scale, where the blob is if there is one.
+double middle_of(const IntensityFrame& frame) {
+  ScaleSpace scales({}, kThreshold);
+  scales.apply(frame, kCell, {});
+  return scales.cell_log_probability(scales.scales()[0], 160, 60);
+}
+
+// Without the ridge's own level the cell of a bare ridge is as improbable as a target of the ridge's height.
+TEST(ScaleSpace, ACellOfARidgeIsNoneOfATarget) {
+  const IntensityFrame noise = frame_with_blob({1.1, 0.75}, 0.0, 1003);
+  const IntensityFrame blob = frame_with_blob({1.1, 0.75}, 8.0, 1003);
+  EXPECT_LT(middle_of(blob), -8.0);
+  EXPECT_GT(middle_of(with_ridge(noise)), -3.0);
+  EXPECT_GT(middle_of(with_ridge(blob)), middle_of(blob));
+}
+
+// A column of the frame, as a wall that leaves the fan: its last cells have a neighbour on one side alone.
+TEST(ScaleSpace, ARidgeEndsAtTheBorderOfTheFrame) {
+  IntensityFrame wall = frame_with_blob({1.1, 0.75}, 0.0, 1004);
+  for (int column = 159; column < 162; ++column)
+    for (int row = 0; row < wall.rows; ++row) wall.values[wall.index(column, row)] += 5.0;
+  ScaleSpace scales({}, kThreshold);
+  scales.apply(wall, kCell, {});
+  const ScaledFrame& finest = scales.scales()[0];
+  EXPECT_GT(scales.cell_log_probability(finest, 160, 1), -3.0);
+  EXPECT_GT(scales.cell_log_probability(finest, 160, wall.rows - 2), -3.0);
 }
 
 TEST(ScaleSpace, WhatGlittersFromFrameToFrameComesToTheLevelOfTheRest) {

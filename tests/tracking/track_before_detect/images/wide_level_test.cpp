@@ -48,6 +48,19 @@ TEST(WideLevel, AWindowIsAnEighthOfAWideFan) {
   EXPECT_GT(at_ring(512, 200, 160, 240), 4.0f);
 }
 
+// An echo of 12 beams between its nulls is background of a window of 17, as a ring's part is, and none of one
+// of 4 x 13 + 1.
+TEST(WideLevel, AWindowIsFourTimesTheEchoOfAPoint) {
+  WideLevel wide;
+  wide.begin(kBins, 128);
+  wide.update(memory_of(128, 58, 70), kPrior);
+  EXPECT_GT(wide.at(6, 64), 4.0f);
+  wide.widen(12.0);
+  wide.update(memory_of(128, 58, 70), kPrior);
+  wide.update(memory_of(128, 58, 70), kPrior);
+  EXPECT_FLOAT_EQ(wide.at(6, 64), 1.0f);
+}
+
 TEST(WideLevel, AFanNarrowerThanTheWindowHasOneLevel) {
   EXPECT_GT(at_ring(9, 0, 0, 9), 4.0f);
   EXPECT_FLOAT_EQ(at_ring(9, 0, 0, 2), 1.0f);
