@@ -30,7 +30,7 @@ double variance_along(const Eigen::Matrix2d& covariance, const Eigen::Vector2d& 
 }  // namespace
 
 void ScanViewParams::validate() const {
-  core::require(hidden > 0.0 && hidden < 1.0, "hidden must be in (0, 1)", hidden);
+  core::require_inner_share("hidden", hidden);
   core::require(is_probability(shadowed), "shadowed must be in (0, 1]", shadowed);
 }
 

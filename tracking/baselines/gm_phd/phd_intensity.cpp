@@ -8,7 +8,7 @@
 namespace lookout::tracking {
 
 void IntensityParams::validate() const {
-  core::require(least_weight > 0.0 && least_weight < 1.0, "least_weight must be in (0, 1)", least_weight);
+  core::require_inner_share("least_weight", least_weight);
   core::require_not_negative("merge_distance", merge_distance);
   core::require(most >= 1, "most must be >= 1", most);
 }

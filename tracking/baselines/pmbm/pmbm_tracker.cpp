@@ -11,7 +11,7 @@ void PmbmParams::validate() const {
   existence.validate();
   reduction.validate();
   core::require(most_events >= 1.0, "most_events must be >= 1", most_events);
-  core::require(promote > 0.0 && promote < 1.0, "promote must be in (0, 1)", promote);
+  core::require_inner_share("promote", promote);
   core::require(demote > 0.0 && demote < promote, "demote must be in (0, promote)", demote);
   core::require_not_negative("twin_distance", twin_distance);
 }

@@ -23,8 +23,7 @@ void LineVotingParams::validate() const {
   core::require_positive("rho_tolerance", rho_tolerance);
   core::require_positive("theta_tolerance", theta_tolerance);
   core::require_not_negative("min_votes", min_votes);
-  core::require(peak_threshold > 0.0 && peak_threshold <= 1.0, "peak_threshold must be in (0, 1]",
-                peak_threshold);
+  core::require_share("peak_threshold", peak_threshold);
   core::require(min_plots >= 2, "min_plots must be >= 2", min_plots);
   core::require(window_scans >= 2, "window_scans must be >= 2", window_scans);
   core::require(max_tracks >= 1, "max_tracks must be >= 1", max_tracks);

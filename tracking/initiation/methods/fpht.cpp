@@ -16,8 +16,7 @@ constexpr std::int64_t kMaxVotes = 1'000'000'000;  // A few seconds.
 
 FphtInitiator::FphtInitiator(const FphtParams& params)
     : params_(params), grid_(params.grid.num_theta, params.grid.num_rho, params.grid.half_range) {
-  core::require(params.peak_threshold > 0.0 && params.peak_threshold <= 1.0,
-                "peak_threshold must be in (0, 1]", params.peak_threshold);
+  core::require_share("peak_threshold", params.peak_threshold);
   core::require(params.reach >= 0, "reach must be >= 0", params.reach);
   core::require_positive("cell_sigma", params.cell_sigma);
   core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);

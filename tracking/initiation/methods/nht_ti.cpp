@@ -14,8 +14,7 @@ NhtTiInitiator::NhtTiInitiator(const NhtTiParams& params)
   params.lines.validate();
   core::require_not_negative("false_degree_factor", params.false_degree_factor);
   core::require_not_negative("least_vote", params.least_vote);
-  core::require(params.false_alarm_probability >= 0.0 && params.false_alarm_probability < 1.0,
-                "false_alarm_probability must be in [0, 1)", params.false_alarm_probability);
+  core::require_share_below_one("false_alarm_probability", params.false_alarm_probability);
 }
 
 const StartedTracks& NhtTiInitiator::start(const PlotWindow& window) {
