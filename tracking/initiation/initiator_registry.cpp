@@ -51,8 +51,8 @@ Entry entry_of(const char* name, MakeInitiator make, KeyNames names) {
 core::NameTable<Entry>& registry() {
   static core::NameTable<Entry> entries(
       "initiator", {
-                       entry_of("ht", &make_ht, kHtKeys),
-                       entry_of("mht_ti", &make_mht_ti, kMhtTiKeys),
+                       entry_of("ht", &make_ht, kLineVotingKeys),
+                       entry_of("mht_ti", &make_mht_ti, kLineVotingKeys),
                        entry_of("iht_ti", &make_iht_ti, kIhtTiKeys),
                        entry_of("nht_ti", &make_nht_ti, kNhtTiKeys),
                        entry_of("ag_fht", &make_ag_fht, kAgFhtKeys),
