@@ -71,10 +71,9 @@ void NhtTiInitiator::spread_vote(const NormalLine& line, double weight) {
     row_membership_.push_back(membership({grid_.centre({own.theta, own.rho + j}).rho - line.rho, 0.0}));
   for (int i = -columns; i <= columns; ++i) {
     const double column_weight = weight * membership({0.0, grid_.theta_of(own.theta + i) - line.theta});
-    for (int j = -rows; j <= rows; ++j) {
-      const LineCell cell = grid_.wrapped({own.theta + i, own.rho + j});
-      if (grid_.contains(cell))
-        vote(cell, column_weight * row_membership_[static_cast<std::size_t>(j + rows)]);
+    for (int row = 0; row <= 2 * rows; ++row) {
+      const LineCell cell = grid_.wrapped({own.theta + i, own.rho - rows + row});
+      if (grid_.contains(cell)) vote(cell, column_weight * row_membership_[static_cast<std::size_t>(row)]);
     }
   }
 }
