@@ -15,4 +15,16 @@ void require_positive(std::string_view name, double value);
 /// @throws std::invalid_argument `NAME must be >= 0, got VALUE` unless it is.
 void require_not_negative(std::string_view name, double value);
 
+/// @throws std::invalid_argument `NAME must be in [0, 1], got VALUE` unless it is.
+void require_probability(std::string_view name, double value);
+
+/// @throws std::invalid_argument `NAME must be in (0, 1), got VALUE` unless it is.
+void require_inner_share(std::string_view name, double value);
+
+/// @throws std::invalid_argument `NAME must be in (0, 1], got VALUE` unless it is.
+void require_share(std::string_view name, double value);
+
+/// @throws std::invalid_argument `NAME must be in [0, 1), got VALUE` unless it is.
+void require_share_below_one(std::string_view name, double value);
+
 }  // namespace lookout::core

@@ -32,15 +32,14 @@ CountDecision::CountDecision(const CountDecisionParams& params) : params_(params
                 params.offered_evidence);
   core::require(params.min_support > 0, "min_support must be > 0", params.min_support);
   core::require(params.offered_support > 0, "offered_support must be > 0", params.offered_support);
-  core::require(params.relative_support >= 0.0 && params.relative_support <= 1.0,
-                "relative_support must be in [0, 1]", params.relative_support);
+  core::require_probability("relative_support", params.relative_support);
   core::require(params.clutter_regulariser > 0.0, "clutter_regulariser must be > 0",
                 params.clutter_regulariser);
   core::require(params.foreign_return <= 0.0, "foreign_return must be <= 0", params.foreign_return);
   core::require(params.edge >= 0.0 && params.edge <= 0.5, "edge must be in [0, 0.5]", params.edge);
   core::require(params.targets_in_view > 0.0, "targets_in_view must be > 0", params.targets_in_view);
   core::require(params.prior_speed > 0.0, "prior_speed must be > 0", params.prior_speed);
-  core::require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
+  core::require_not_negative("velocity_sigma", params.velocity_sigma);
 }
 
 void CountDecision::prepare(const HoughWindow& window) {

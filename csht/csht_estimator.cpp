@@ -16,7 +16,7 @@ CshtParams completed(CshtParams params, const core::SonarParams& sonar) {
                 "first_estimate_scans must be 1 to window_scans", params.first_estimate_scans);
   core::require(params.passes > 0, "passes must be > 0", params.passes);
   core::require(params.top_speed > 0.0, "top_speed must be > 0", params.top_speed);
-  core::require(params.speed_prior >= 0.0, "speed_prior must be >= 0", params.speed_prior);
+  core::require_not_negative("speed_prior", params.speed_prior);
   params.refit.max_speed = params.top_speed * sonar.max_speed;
   params.refit.velocity_sigma = params.speed_prior * sonar.max_speed;
   params.decision.prior_speed = sonar.max_speed;

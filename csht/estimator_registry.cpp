@@ -1,11 +1,10 @@
 #include "csht/estimator_registry.hpp"
 
-#include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <utility>
 
 #include "core/files/yaml_reader.hpp"
+#include "core/name_table.hpp"
 #include "csht/baselines/csht_printed_estimator.hpp"
 #include "csht/baselines/ransac_estimator.hpp"
 #include "csht/baselines/sht_estimator.hpp"
@@ -65,14 +64,15 @@ std::unique_ptr<MotionEstimator> make_ransac(const EstimatorParams& params, cons
 }
 
 /// One line an estimator; those from outside follow.
-std::vector<Entry>& registry() {
-  static std::vector<Entry> entries{
-      {"joint", make_joint},
-      {"csht", make_csht},
-      {"csht_printed", make_baseline<CshtPrintedParams, CshtPrintedEstimator>},
-      {"sht", make_baseline<ShtParams, ShtEstimator>},
-      {"ransac", make_ransac},
-  };
+core::NameTable<Entry>& registry() {
+  static core::NameTable<Entry> entries(
+      "estimator", {
+                       {"joint", make_joint},
+                       {"csht", make_csht},
+                       {"csht_printed", make_baseline<CshtPrintedParams, CshtPrintedEstimator>},
+                       {"sht", make_baseline<ShtParams, ShtEstimator>},
+                       {"ransac", make_ransac},
+                   });
   return entries;
 }
 
@@ -84,26 +84,10 @@ void validate(const EstimatorParams& params) {
                                 std::to_string(params.first_estimate_scans));
 }
 
-bool is_name(const std::string& text) {
-  const auto is_part = [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '_'; };
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_part);
-}
-
-bool is_taken(const std::string& name) {
-  const auto has_name = [&name](const Entry& entry) { return entry.name == name; };
-  return name == kImageEstimator || std::any_of(registry().begin(), registry().end(), has_name);
-}
-
 }  // namespace
 
 void register_estimator(const std::string& name, MakeEstimator make) {
-  if (!is_name(name))
-    throw std::invalid_argument("an estimator's name must be letters, digits and underscores, got `" + name +
-                                "`");
-  if (is_taken(name)) throw std::invalid_argument("the estimator `" + name + "` exists already");
-  if (make == nullptr)
-    throw std::invalid_argument("the estimator `" + name + "` has no function that makes it");
-  registry().push_back({name, std::move(make)});
+  registry().add({name, std::move(make)}, {kImageEstimator});
 }
 
 void read_estimator_params(const core::YamlMap& map, EstimatorParams& params) {
@@ -117,20 +101,13 @@ void read_estimator_params(const core::YamlMap& map, EstimatorParams& params) {
 }
 
 std::vector<std::string> estimator_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : registry()) names.push_back(entry.name);
-  return names;
+  return registry().names();
 }
 
 std::unique_ptr<MotionEstimator> make_estimator(const std::string& name, const EstimatorParams& params,
                                                 const core::SonarParams& sonar, std::uint64_t seed) {
   validate(params);
-  for (const auto& entry : registry()) {
-    if (entry.name == name) return entry.make(params, sonar, seed);
-  }
-  std::string accepted;
-  for (const auto& known : estimator_names()) accepted += " " + known;
-  throw std::invalid_argument("estimator must be one of" + accepted + ", got `" + name + "`");
+  return registry().at(name).make(params, sonar, seed);
 }
 
 }  // namespace lookout::csht

@@ -12,18 +12,16 @@ namespace lookout::csht {
 namespace {
 
 const FuzzyIsodataParams& validated(const FuzzyIsodataParams& p) {
-  core::require(p.core_membership >= 0.0 && p.core_membership < 1.0, "core_membership must be in [0, 1)",
-                p.core_membership);
-  core::require(p.aggregation >= 0.0 && p.aggregation <= 1.0, "aggregation must be in [0, 1]", p.aggregation);
-  core::require(p.combination >= 0.0, "combination must be >= 0", p.combination);
-  core::require(p.division_spread >= 0.0, "division_spread must be >= 0", p.division_spread);
+  core::require_share_below_one("core_membership", p.core_membership);
+  core::require_probability("aggregation", p.aggregation);
+  core::require_not_negative("combination", p.combination);
+  core::require_not_negative("division_spread", p.division_spread);
   core::require(p.division_step > 0.0, "division_step must be > 0", p.division_step);
-  core::require(p.deletion >= 0.0, "deletion must be >= 0", p.deletion);
+  core::require_not_negative("deletion", p.deletion);
   core::require(p.rounds > 0, "rounds must be > 0", p.rounds);
   core::require(p.sweeps > 0, "sweeps must be > 0", p.sweeps);
   core::require(p.at_rest > 0.0, "at_rest must be > 0", p.at_rest);
-  core::require(p.division_rounds >= 0.0 && p.division_rounds <= 1.0, "division_rounds must be in [0, 1]",
-                p.division_rounds);
+  core::require_probability("division_rounds", p.division_rounds);
   return p;
 }
 

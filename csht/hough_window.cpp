@@ -11,7 +11,7 @@ namespace lookout::csht {
 HoughWindow::HoughWindow(int window_scans, const core::SonarParams& sonar, double cross_floor)
     : window_scans_(window_scans), sonar_(sonar), cross_floor_(cross_floor) {
   core::require(window_scans >= 1, "window_scans must be > 0", window_scans);
-  core::require(cross_floor >= 0.0, "cross_floor must be >= 0", cross_floor);
+  core::require_not_negative("cross_floor", cross_floor);
   const auto returns = static_cast<std::size_t>(sonar.num_beams);
   scans_.reserve(static_cast<std::size_t>(window_scans));
   detections_.reserve(returns * static_cast<std::size_t>(window_scans));

@@ -18,7 +18,7 @@ FeaturePoint feature_of(const VoteCell& cell, const HoughGrid& grid, double cent
 LineClasses::LineClasses(const LineClassesParams& params) : params_(params), isodata_(params.isodata) {
   params.threshold.validate();
   core::require(params.max_first >= 1, "max_first must be > 0", params.max_first);
-  core::require(params.first_apart >= 0.0, "first_apart must be >= 0", params.first_apart);
+  core::require_not_negative("first_apart", params.first_apart);
 }
 
 std::span<const Line> LineClasses::find(const HoughSpace& space, double time, double centre) {

@@ -8,11 +8,11 @@
 namespace lookout::csht {
 
 Refit::Refit(const RefitParams& params) : params_(params) {
-  for (const double slack : params.slack) core::require(slack >= 0.0, "slack must be >= 0", slack);
+  for (const double slack : params.slack) core::require_not_negative("slack", slack);
   core::require(params.gate > 0.0, "gate must be > 0", params.gate);
   core::require(params.min_support >= 2, "min_support must be >= 2", params.min_support);
   core::require(params.max_speed > 0.0, "max_speed must be > 0", params.max_speed);
-  core::require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
+  core::require_not_negative("velocity_sigma", params.velocity_sigma);
 }
 
 bool Refit::fit(Candidate& candidate, const HoughWindow& window, double epoch,

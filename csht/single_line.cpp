@@ -10,9 +10,8 @@ namespace lookout::csht {
 
 SingleLine::SingleLine(const SingleLineParams& params, HoughSpace space)
     : params_(params), space_(std::move(space)) {
-  core::require(params.peak_share >= 0.0 && params.peak_share < 1.0, "peak_share must be in [0, 1)",
-                params.peak_share);
-  core::require(params.radius >= 0.0, "radius must be >= 0", params.radius);
+  core::require_share_below_one("peak_share", params.peak_share);
+  core::require_not_negative("radius", params.radius);
 }
 
 std::optional<Line> SingleLine::extract(std::span<const LineSample> samples, double time, double centre) {

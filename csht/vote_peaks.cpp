@@ -9,7 +9,7 @@
 namespace lookout::csht {
 
 void PrimaryThresholdParams::validate() const {
-  core::require(peak_share >= 0.0 && peak_share < 1.0, "peak_share must be in [0, 1)", peak_share);
+  core::require_share_below_one("peak_share", peak_share);
   core::require_not_negative("floor", floor);
   core::require_not_negative("mean_factor", mean_factor);
   core::require_not_negative("mean_root", mean_root);

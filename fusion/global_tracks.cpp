@@ -16,11 +16,9 @@ constexpr double kLeastCoast = 1e-6;  // [s]; a coast of 0 ends a track at once.
 GlobalTracks::GlobalTracks(const GlobalTracksParams& params)
     : params_(params), pairings_(params.probation), credit_(params.credit, params.local_trust) {
   core::require(params.birth_estimates >= 1, "birth_estimates must be >= 1", params.birth_estimates);
-  core::require(params.coast >= 0.0, "coast must be >= 0", params.coast);
-  core::require(params.local_trust > 0.0 && params.local_trust < 1.0, "local_trust must be in (0, 1)",
-                params.local_trust);
-  core::require(params.merge_threshold > 0.0 && params.merge_threshold <= 1.0,
-                "merge_threshold must be in (0, 1]", params.merge_threshold);
+  core::require_not_negative("coast", params.coast);
+  core::require_inner_share("local_trust", params.local_trust);
+  core::require_share("merge_threshold", params.merge_threshold);
   core::require_not_negative("process_noise", params.process_noise);
   core::require(params.merge_updates >= 1, "merge_updates must be >= 1", params.merge_updates);
   core::require(params.probation >= 1, "probation must be >= 1", params.probation);

@@ -37,8 +37,8 @@ LearnedGeometry::LearnedGeometry(const LearnedGeometryParams& params) : params_(
   core::require_positive("bearing_sigma", params.bearing_sigma);
   core::require(params.window_updates >= 1, "window_updates must be >= 1", params.window_updates);
   core::require(params.iterations >= 1, "iterations must be >= 1", params.iterations);
-  core::require(params.pseudo_samples >= 0.0, "pseudo_samples must be >= 0", params.pseudo_samples);
-  core::require(params.velocity_sigma >= 0.0, "velocity_sigma must be >= 0", params.velocity_sigma);
+  core::require_not_negative("pseudo_samples", params.pseudo_samples);
+  core::require_not_negative("velocity_sigma", params.velocity_sigma);
   core::require_not_negative("process_noise", params.process_noise);
   core::require_positive("least_share", params.least_share);
   const NodeQuality first = first_quality();

@@ -9,7 +9,7 @@ namespace lookout::fusion {
 NodeCredit::NodeCredit(const NodeCreditParams& params, double trust) : params_(params), trust_(trust) {
   core::require_positive("prior_tracks", params.prior_tracks);
   core::require(params.memory >= 1.0, "memory must be >= 1", params.memory);
-  core::require(params.least >= 0.0 && params.least <= 1.0, "least must be in [0, 1]", params.least);
+  core::require_probability("least", params.least);
   core::require_positive("proof", params.proof);
   core::require(params.max_unproved >= 1, "max_unproved must be >= 1", params.max_unproved);
 }

@@ -12,15 +12,14 @@ TrackAssociation::TrackAssociation(const AssociationParams& params) : params_(pa
   core::require_positive("speed_scale", params.speed_scale);
   core::require_positive("heading_scale", params.heading_scale);
   for (double weight : {params.position_weight, params.speed_weight, params.heading_weight})
-    core::require(weight >= 0.0, "an association weight must be >= 0", weight);
+    core::require_not_negative("an association weight", weight);
   const double sum = params.position_weight + params.speed_weight + params.heading_weight;
   core::require(std::abs(sum - 1.0) < 1e-9, "the sum of the association weights must be 1", sum);
-  core::require(params.threshold >= 0.0 && params.threshold < 1.0, "threshold must be in [0, 1)",
-                params.threshold);
+  core::require_share_below_one("threshold", params.threshold);
   core::require_positive("position_gate", params.position_gate);
-  core::require(params.kept_bonus >= 0.0, "kept_bonus must be >= 0", params.kept_bonus);
-  core::require(params.alone_bonus >= 0.0, "alone_bonus must be >= 0", params.alone_bonus);
-  core::require(params.standing_share >= 0.0, "standing_share must be >= 0", params.standing_share);
+  core::require_not_negative("kept_bonus", params.kept_bonus);
+  core::require_not_negative("alone_bonus", params.alone_bonus);
+  core::require_not_negative("standing_share", params.standing_share);
 }
 
 TrackAssociation::Course TrackAssociation::course(const Eigen::Vector4d& state) {

@@ -10,9 +10,9 @@
 #include "python/arguments.hpp"
 #include "python/bindings.hpp"
 #include "python/rows.hpp"
-#include "tools/cli/log_recording.hpp"
+#include "tools/cli/logs/log_recording.hpp"
+#include "tools/cli/logs/replay_log.hpp"
 #include "tools/cli/paths.hpp"
-#include "tools/cli/replay_log.hpp"
 
 namespace lookout::python {
 namespace {

@@ -35,8 +35,7 @@ void check(const ImagePlan& plan) {
   core::require_positive("noise_level", plan.noise_level);
   core::require_positive("reverberation_range", plan.reverberation_range);
   core::require(plan.bits >= 1 && plan.bits <= 16, "bits must be 1 to 16", plan.bits);
-  core::require(plan.reverberation_level >= 0.0, "reverberation_level must be >= 0",
-                plan.reverberation_level);
+  core::require_not_negative("reverberation_level", plan.reverberation_level);
 }
 
 core::SonarImage empty_image(const core::SonarParams& sonar, const ImagePlan& plan) {

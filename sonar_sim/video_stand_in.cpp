@@ -98,10 +98,10 @@ void scale_to_sigma(std::vector<double>& texture, double sigma) {
 
 void check(const VideoStandInParams& p) {
   core::require(p.num_samples >= 2, "num_samples must be >= 2", p.num_samples);
-  core::require(p.cloud_sigma >= 0.0, "cloud_sigma must be >= 0", p.cloud_sigma);
-  core::require(p.tree_sigma >= 0.0, "tree_sigma must be >= 0", p.tree_sigma);
-  core::require(p.jitter >= 0.0, "jitter must be >= 0", p.jitter);
-  core::require(p.camera_sigma >= 0.0, "camera_sigma must be >= 0", p.camera_sigma);
+  core::require_not_negative("cloud_sigma", p.cloud_sigma);
+  core::require_not_negative("tree_sigma", p.tree_sigma);
+  core::require_not_negative("jitter", p.jitter);
+  core::require_not_negative("camera_sigma", p.camera_sigma);
   core::require(std::isfinite(p.cloud_drift), "cloud_drift must be finite", p.cloud_drift);
   core::require_not_negative("sway", p.sway);
   core::require_not_negative("max_heading", p.max_heading);

@@ -19,8 +19,7 @@ CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParam
       manoeuvre_(params.manoeuvre),
       smoother_(params.smoother) {
   params.motion.validate();
-  core::require(params.min_existence >= 0.0 && params.min_existence <= 1.0, "min_existence must be in [0, 1]",
-                params.min_existence);
+  core::require_probability("min_existence", params.min_existence);
 }
 
 std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan,

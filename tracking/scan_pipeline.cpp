@@ -4,17 +4,9 @@
 #include <cassert>
 #include <utility>
 
+#include "core/constant_velocity.hpp"
+
 namespace lookout::tracking {
-namespace {
-
-// (north, east, north velocity, east velocity), so many seconds on.
-Eigen::Matrix4d transition(double seconds) {
-  Eigen::Matrix4d result = Eigen::Matrix4d::Identity();
-  result(0, 2) = result(1, 3) = seconds;
-  return result;
-}
-
-}  // namespace
 
 ScanPipeline::ScanPipeline(std::unique_ptr<csht::MotionEstimator> estimator, std::unique_ptr<Tracker> tracker,
                            std::int64_t latency)
@@ -90,7 +82,7 @@ std::span<const core::Track> ScanPipeline::retrodict(std::int64_t utime) {
 std::span<const core::Track> ScanPipeline::bring_to_scan(std::span<const core::Track> tracks,
                                                          double seconds) {
   if (latency_ == 0) return tracks;
-  const Eigen::Matrix4d on = transition(seconds);
+  const Eigen::Matrix4d on = core::constant_velocity_transition(seconds);
   tracks_.assign(tracks.begin(), tracks.end());
   for (core::Track& track : tracks_) {
     track.state = on * track.state;
@@ -103,7 +95,7 @@ std::span<const core::MotionElement> ScanPipeline::bring_to_scan(
     std::span<const core::MotionElement> elements) {
   if (latency_ == 0) return elements;
   const double seconds = core::seconds(latency_);
-  const Eigen::Matrix4d on = transition(seconds);
+  const Eigen::Matrix4d on = core::constant_velocity_transition(seconds);
   elements_.assign(elements.begin(), elements.end());
   for (core::MotionElement& element : elements_) {
     element.position += seconds * element.velocity;

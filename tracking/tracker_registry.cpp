@@ -1,11 +1,11 @@
 #include "tracking/tracker_registry.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <stdexcept>
 #include <utility>
 
 #include "core/files/yaml_reader.hpp"
+#include "core/name_table.hpp"
 #include "csht/estimator_registry.hpp"
 #include "tracking/baselines/gm_phd/gm_phd_tracker.hpp"
 #include "tracking/baselines/gnn_tracker.hpp"
@@ -76,24 +76,17 @@ std::unique_ptr<Tracker> make_joint(const TrackerParams& params, const core::Son
                                         make_birth(params.initiator, "joint", params.births, sonar));
 }
 
-std::unique_ptr<Tracker> make_kalman(const TrackerParams& params, const core::SonarParams& sonar,
-                                     std::uint64_t /*seed*/) {
-  KalmanParams kalman;
-  kalman.life.coast_s = params.coast_s;
-  auto births = make_birth(params.initiator, "kalman", params.births, sonar);
-  if (births != nullptr) confirm_at_birth(kalman.life);
-  set_own(params, "kalman", kalman);
-  return std::make_unique<KalmanTracker>(kalman, sonar, std::move(births));
-}
-
-std::unique_ptr<Tracker> make_gnn(const TrackerParams& params, const core::SonarParams& sonar,
-                                  std::uint64_t /*seed*/) {
-  GnnParams gnn;
-  gnn.life.coast_s = params.coast_s;
-  auto births = make_birth(params.initiator, "gnn", params.births, sonar);
-  if (births != nullptr) confirm_at_birth(gnn.life);
-  set_own(params, "gnn", gnn);
-  return std::make_unique<GnnTracker>(gnn, sonar, std::move(births));
+/// A tracker on single detections, which begins tracks on them or where an initiator says.
+template <typename Params, typename OnDetections>
+MakeTracker on_detections(const std::string& name) {
+  return [name](const TrackerParams& params, const core::SonarParams& sonar, std::uint64_t /*seed*/) {
+    Params own;
+    own.life.coast_s = params.coast_s;
+    auto births = make_birth(params.initiator, name, params.births, sonar);
+    if (births != nullptr) confirm_at_birth(own.life);
+    set_own(params, name, own);
+    return std::make_unique<OnDetections>(own, sonar, std::move(births));
+  };
 }
 
 /// These begin tracks by probabilities that an initiator does not state.
@@ -104,54 +97,32 @@ void refuse_initiator(const TrackerParams& params, const std::string& tracker) {
                               " or none");
 }
 
-std::unique_ptr<Tracker> make_jipda(const TrackerParams& params, const core::SonarParams& sonar,
-                                    std::uint64_t /*seed*/) {
-  refuse_initiator(params, "jipda");
-  JipdaParams jipda;
-  jipda.existence.coast_s = params.coast_s;
-  set_own(params, "jipda", jipda);
-  return std::make_unique<JipdaTracker>(jipda, sonar);
-}
-
-std::unique_ptr<Tracker> make_gm_phd(const TrackerParams& params, const core::SonarParams& sonar,
-                                     std::uint64_t /*seed*/) {
-  refuse_initiator(params, "gm_phd");
-  GmPhdParams gm_phd;
-  gm_phd.existence.coast_s = params.coast_s;
-  set_own(params, "gm_phd", gm_phd);
-  return std::make_unique<GmPhdTracker>(gm_phd, sonar);
-}
-
-std::unique_ptr<Tracker> make_pmbm(const TrackerParams& params, const core::SonarParams& sonar,
-                                   std::uint64_t /*seed*/) {
-  refuse_initiator(params, "pmbm");
-  PmbmParams pmbm;
-  pmbm.existence.coast_s = params.coast_s;
-  set_own(params, "pmbm", pmbm);
-  return std::make_unique<PmbmTracker>(pmbm, sonar);
+/// A tracker whose tracks live by their existence.
+template <typename Params, typename Rival>
+MakeTracker by_existence(const std::string& name) {
+  return [name](const TrackerParams& params, const core::SonarParams& sonar, std::uint64_t /*seed*/) {
+    refuse_initiator(params, name);
+    Params own;
+    own.existence.coast_s = params.coast_s;
+    set_own(params, name, own);
+    return std::make_unique<Rival>(own, sonar);
+  };
 }
 
 /// One line a tracker; those from outside follow.
-std::vector<Entry>& registry() {
-  static std::vector<Entry> entries{
-      {"joint", "joint", &make_joint, &listed<JointTrackerParams>},
-      {"csht", "csht", &make_csht, &listed<CshtTrackerParams>},
-      {"kalman", "", &make_kalman, &listed<KalmanParams>},
-      {"gnn", "", &make_gnn, &listed<GnnParams>},
-      {"jipda", "", &make_jipda, &listed<JipdaParams>},
-      {"gm_phd", "", &make_gm_phd, &listed<GmPhdParams>},
-      {"pmbm", "", &make_pmbm, &listed<PmbmParams>},
-  };
+core::NameTable<Entry>& registry() {
+  static core::NameTable<Entry> entries(
+      "tracker",
+      {
+          {"joint", "joint", &make_joint, &listed<JointTrackerParams>},
+          {"csht", "csht", &make_csht, &listed<CshtTrackerParams>},
+          {"kalman", "", on_detections<KalmanParams, KalmanTracker>("kalman"), &listed<KalmanParams>},
+          {"gnn", "", on_detections<GnnParams, GnnTracker>("gnn"), &listed<GnnParams>},
+          {"jipda", "", by_existence<JipdaParams, JipdaTracker>("jipda"), &listed<JipdaParams>},
+          {"gm_phd", "", by_existence<GmPhdParams, GmPhdTracker>("gm_phd"), &listed<GmPhdParams>},
+          {"pmbm", "", by_existence<PmbmParams, PmbmTracker>("pmbm"), &listed<PmbmParams>},
+      });
   return entries;
-}
-
-bool is_name(const std::string& text) {
-  const auto is_part = [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '_'; };
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_part);
-}
-
-bool is_one_of(const std::string& name, const std::vector<std::string>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
@@ -176,44 +147,29 @@ void read_output_params(const core::YamlMap& map, TrackerParams& params) {
 }
 
 void register_tracker(const std::string& name, const std::string& estimator, MakeTracker make) {
-  if (!is_name(name))
-    throw std::invalid_argument("a tracker's name must be letters, digits and underscores, got `" + name +
-                                "`");
-  if (is_one_of(name, tracker_names()) || is_one_of(name, initiator_names()))
-    throw std::invalid_argument("the tracker or initiator `" + name + "` exists already");
-  if (!estimator.empty() && !is_one_of(estimator, csht::estimator_names()))
+  const std::vector<std::string> estimators = csht::estimator_names();
+  if (!estimator.empty() && std::find(estimators.begin(), estimators.end(), estimator) == estimators.end())
     throw std::invalid_argument("the estimator `" + estimator + "` of tracker `" + name + "` is not known");
-  if (make == nullptr)
-    throw std::invalid_argument("the tracker `" + name + "` has no function that makes it");
-  registry().push_back({name, estimator, std::move(make)});
+  registry().add({name, estimator, std::move(make)}, initiator_names());
 }
 
 ListedParameters own_parameters(const std::string& tracker) {
-  for (const auto& entry : registry())
-    if (entry.name == tracker && entry.own != nullptr) return entry.own();
-  return {};
+  const Entry* const entry = registry().find(tracker);
+  return entry != nullptr && entry->own != nullptr ? entry->own() : ListedParameters{};
 }
 
 std::vector<std::string> tracker_names() {
-  std::vector<std::string> names;
-  for (const auto& entry : registry()) names.emplace_back(entry.name);
-  return names;
+  return registry().names();
 }
 
 std::string default_estimator(const std::string& tracker) {
-  for (const auto& entry : registry())
-    if (entry.name == tracker) return entry.estimator;
-  return {};
+  const Entry* const entry = registry().find(tracker);
+  return entry != nullptr ? entry->estimator : std::string();
 }
 
 std::unique_ptr<Tracker> make_tracker(const std::string& name, const TrackerParams& params,
                                       const core::SonarParams& sonar, std::uint64_t seed) {
-  std::string accepted;
-  for (const auto& entry : registry()) {
-    if (entry.name == name) return entry.make(params, sonar, seed);
-    accepted += " " + entry.name;
-  }
-  throw std::invalid_argument("tracker must be one of" + accepted + ", got `" + name + "`");
+  return registry().at(name).make(params, sonar, seed);
 }
 
 }  // namespace lookout::tracking

@@ -76,8 +76,7 @@ RansacEstimator::RansacEstimator(const RansacParams& params, const core::SonarPa
   core::require(params.first_estimate_scans >= 1 && params.first_estimate_scans <= params.window_scans,
                 "first_estimate_scans must be 1 to window_scans", params.first_estimate_scans);
   core::require(params.threshold > 0.0, "threshold must be > 0", params.threshold);
-  core::require(params.support_share > 0.0 && params.support_share <= 1.0, "support_share must be in (0, 1]",
-                params.support_share);
+  core::require_share("support_share", params.support_share);
   core::require(params.min_support >= 3, "min_support must be >= 3", params.min_support);
   core::require(params.max_lines >= 1, "max_lines must be >= 1", params.max_lines);
   core::require(params.max_draws >= 1, "max_draws must be >= 1", params.max_draws);

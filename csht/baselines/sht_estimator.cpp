@@ -23,9 +23,8 @@ const ShtParams& validated(const ShtParams& params) {
                 "window_scans must be 3 to 100", params.window_scans);
   core::require(params.intercept_step > 0.0, "intercept_step must be > 0", params.intercept_step);
   core::require(params.velocity_step > 0.0, "velocity_step must be > 0", params.velocity_step);
-  core::require(params.threshold > 0.0 && params.threshold < 1.0, "threshold must be in (0, 1)",
-                params.threshold);
-  core::require(params.apart >= 0.0, "apart must be >= 0", params.apart);
+  core::require_inner_share("threshold", params.threshold);
+  core::require_not_negative("apart", params.apart);
   core::require(params.max_targets >= 1, "max_targets must be > 0", params.max_targets);
   return params;
 }

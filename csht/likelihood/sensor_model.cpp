@@ -39,20 +39,16 @@ ClutterModel clutter_model_of(const core::SonarParams& params) {
 }
 
 void validate(const SensorFigures& figures) {
-  core::require(figures.miss_probability > 0.0 && figures.miss_probability < 1.0,
-                "miss_probability must be in (0, 1)", figures.miss_probability);
-  core::require(figures.false_alarm_probability > 0.0 && figures.false_alarm_probability < 1.0,
-                "false_alarm_probability must be in (0, 1)", figures.false_alarm_probability);
-  core::require(figures.range_loss >= 0.0 && figures.range_loss < 1.0, "range_loss must be in [0, 1)",
-                figures.range_loss);
-  core::require(figures.tail_share >= 0.0 && figures.tail_share < 1.0, "tail_share must be in [0, 1)",
-                figures.tail_share);
+  core::require_inner_share("miss_probability", figures.miss_probability);
+  core::require_inner_share("false_alarm_probability", figures.false_alarm_probability);
+  core::require_share_below_one("range_loss", figures.range_loss);
+  core::require_share_below_one("tail_share", figures.tail_share);
   core::require(figures.clutter_per_scan > 0.0, "clutter_per_scan must be > 0", figures.clutter_per_scan);
   core::require(figures.range_sigma > 0.0, "range_sigma must be > 0", figures.range_sigma);
   core::require(figures.bearing_sigma > 0.0, "bearing_sigma must be > 0", figures.bearing_sigma);
-  core::require(figures.resolution >= 0.0, "resolution must be >= 0", figures.resolution);
-  core::require(figures.heading_sigma >= 0.0, "heading_sigma must be >= 0", figures.heading_sigma);
-  core::require(figures.position_sigma >= 0.0, "position_sigma must be >= 0", figures.position_sigma);
+  core::require_not_negative("resolution", figures.resolution);
+  core::require_not_negative("heading_sigma", figures.heading_sigma);
+  core::require_not_negative("position_sigma", figures.position_sigma);
 }
 
 void validate(const SensorModelParams& params) {

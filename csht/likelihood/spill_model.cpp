@@ -21,8 +21,8 @@ std::size_t slot_of(int beam) {
 void validate(const SpillParams& p) {
   core::require(p.memory_scans > 1.0, "memory_scans must be > 1", p.memory_scans);
   core::require(p.range_gate > 0.0, "range_gate must be > 0", p.range_gate);
-  core::require(p.least_real > 0.0 && p.least_real < 1.0, "least_real must be in (0, 1)", p.least_real);
-  core::require(p.doubt_sigmas >= 0.0, "doubt_sigmas must be >= 0", p.doubt_sigmas);
+  core::require_inner_share("least_real", p.least_real);
+  core::require_not_negative("doubt_sigmas", p.doubt_sigmas);
 }
 
 double SpillModel::real_share(int offset) const {

@@ -22,7 +22,7 @@ Eigen::Matrix4d positive_part(const Eigen::Matrix4d& matrix) {
 }  // namespace
 
 CentralKalmanFusion::CentralKalmanFusion(const KalmanModel& model) : model_(model) {
-  core::require(model.process_noise >= 0.0, "process_noise must be >= 0", model.process_noise);
+  core::require_not_negative("process_noise", model.process_noise);
   core::require_positive("velocity_sigma", model.velocity_sigma);
 }
 

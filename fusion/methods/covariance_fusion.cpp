@@ -20,7 +20,7 @@ Eigen::Matrix4d covariance_at(const LocalTrack& track, std::int64_t utime, doubl
 }
 
 CovarianceFusion::CovarianceFusion(CovarianceWeights weights, double q) : weights_(weights), q_(q) {
-  core::require(q >= 0.0, "process_noise must be >= 0", q);
+  core::require_not_negative("process_noise", q);
 }
 
 std::span<const FusedState> CovarianceFusion::fuse(std::span<const TrackGroup> groups) {

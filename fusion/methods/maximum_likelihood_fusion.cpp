@@ -45,7 +45,7 @@ Eigen::Matrix4d gain(const LocalTrack& track, std::int64_t utime, double q) {
 }  // namespace
 
 MaximumLikelihoodFusion::MaximumLikelihoodFusion(const KalmanModel& model) : model_(model) {
-  core::require(model.process_noise >= 0.0, "process_noise must be >= 0", model.process_noise);
+  core::require_not_negative("process_noise", model.process_noise);
   core::require_positive("velocity_sigma", model.velocity_sigma);
 }
 

@@ -32,5 +32,22 @@ TEST(ParameterCheck, RefusesWhatIsNoNumber) {
   EXPECT_NO_THROW(require_not_negative("step", 0.0));
 }
 
+TEST(ParameterCheck, KnowsWhichEndsOfAShareCount) {
+  EXPECT_NO_THROW(require_probability("share", 0.0));
+  EXPECT_NO_THROW(require_probability("share", 1.0));
+  EXPECT_THROW(require_inner_share("share", 0.0), std::invalid_argument);
+  EXPECT_THROW(require_inner_share("share", 1.0), std::invalid_argument);
+  EXPECT_THROW(require_share("share", 0.0), std::invalid_argument);
+  EXPECT_NO_THROW(require_share("share", 1.0));
+  EXPECT_NO_THROW(require_share_below_one("share", 0.0));
+  EXPECT_THROW(require_share_below_one("share", 1.0), std::invalid_argument);
+}
+
+TEST(ParameterCheck, RefusesSharesThatAreNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto check : {require_probability, require_inner_share, require_share, require_share_below_one})
+    EXPECT_THROW(check("share", nan), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace lookout::core

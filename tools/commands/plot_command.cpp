@@ -8,7 +8,7 @@
 #include "core/files/recording.hpp"
 #include "core/input_error.hpp"
 #include "tools/cli/log.hpp"
-#include "tools/cli/log_tables.hpp"
+#include "tools/cli/logs/log_tables.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/scoring.hpp"
 #include "tools/cli/temporary_directory.hpp"

@@ -2,10 +2,10 @@
 
 #include "core/files/time_text.hpp"
 #include "core/input_error.hpp"
-#include "tools/cli/image_feed.hpp"
+#include "tools/cli/images/image_feed.hpp"
 #include "tools/cli/log.hpp"
+#include "tools/cli/logs/replay_log.hpp"
 #include "tools/cli/paths.hpp"
-#include "tools/cli/replay_log.hpp"
 #include "tools/cli/scan_feed.hpp"
 #include "tools/cli/scoring.hpp"
 #include "tools/cli/tracked_run.hpp"

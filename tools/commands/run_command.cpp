@@ -6,7 +6,7 @@
 #include "core/field_of_view.hpp"
 #include "core/input_error.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
-#include "tools/cli/image_keeper.hpp"
+#include "tools/cli/images/image_keeper.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/progress_bar.hpp"
 #include "tools/cli/recorder.hpp"

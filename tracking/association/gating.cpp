@@ -9,7 +9,7 @@
 namespace lookout::tracking {
 
 double chi_square_gate(double probability, int dimensions) {
-  core::require(probability > 0.0 && probability < 1.0, "gate probability must be in (0, 1)", probability);
+  core::require_inner_share("gate probability", probability);
   core::require(dimensions >= 1, "gate dimensions must be >= 1", dimensions);
   return boost::math::quantile(boost::math::chi_squared(dimensions), probability);
 }

@@ -18,7 +18,7 @@ double variance(const core::Track& track, const core::MotionElement& element, in
 void ElementGate::validate() const {
   core::require(position > 0.0, "element gate: position must be > 0", position);
   core::require(velocity > 0.0, "element gate: velocity must be > 0", velocity);
-  core::require(sigmas >= 0.0, "element gate: sigmas must be >= 0", sigmas);
+  core::require_not_negative("element gate: sigmas", sigmas);
 }
 
 TrackToElement::TrackToElement(const ElementGate& gate) : gate_(gate) {

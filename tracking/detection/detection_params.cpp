@@ -23,8 +23,7 @@ void check(const ReferenceParams& params) {
   core::require(params.guard >= 1.0, "guard must be >= 1", params.guard);
   core::require(params.range_extent >= 1.0, "range_extent must be >= 1", params.range_extent);
   core::require(params.beam_extent >= 1.0, "beam_extent must be >= 1", params.beam_extent);
-  core::require(params.quantile > 0.0 && params.quantile < 1.0, "quantile must be in (0, 1)",
-                params.quantile);
+  core::require_inner_share("quantile", params.quantile);
   core::require(params.samples >= kMinSamples, "samples must be >= 8", params.samples);
 }
 

@@ -124,12 +124,11 @@ void InitiatorConfig::validate() const {
   require_positive(azimuth_sigma, "azimuth_sigma");
   if (range_sigma.has_value() != azimuth_sigma.has_value())
     throw std::invalid_argument("range_sigma and azimuth_sigma must be given together, or neither");
-  if (min_speed) core::require(*min_speed >= 0.0, "min_speed must be >= 0", *min_speed);
+  if (min_speed) core::require_not_negative("min_speed", *min_speed);
   if (max_speed)
     core::require(*max_speed > min_speed.value_or(0.0), "max_speed must be > min_speed", *max_speed);
-  if (acceleration_sigma)
-    core::require(*acceleration_sigma >= 0.0, "acceleration_sigma must be >= 0", *acceleration_sigma);
-  if (gate_margin) core::require(*gate_margin >= 0.0, "gate_margin must be >= 0", *gate_margin);
+  if (acceleration_sigma) core::require_not_negative("acceleration_sigma", *acceleration_sigma);
+  if (gate_margin) core::require_not_negative("gate_margin", *gate_margin);
   if (max_turn)
     core::require(*max_turn > 0.0 && *max_turn <= std::numbers::pi, "max_turn must be in (0, pi]", *max_turn);
   if (window_scans) core::require(*window_scans >= 2, "window_scans must be >= 2", *window_scans);
@@ -144,12 +143,8 @@ void InitiatorConfig::validate() const {
   if (theta_step)
     core::require(*theta_step > 0.0 && *theta_step <= std::numbers::pi / 4, "theta_step must be in (0, pi/4]",
                   *theta_step);
-  if (peak_threshold)
-    core::require(*peak_threshold > 0.0 && *peak_threshold <= 1.0, "peak_threshold must be in (0, 1]",
-                  *peak_threshold);
-  if (gate_probability)
-    core::require(*gate_probability > 0.0 && *gate_probability < 1.0, "gate_probability must be in (0, 1)",
-                  *gate_probability);
+  if (peak_threshold) core::require_share("peak_threshold", *peak_threshold);
+  if (gate_probability) core::require_inner_share("gate_probability", *gate_probability);
   if (max_tracks) core::require(*max_tracks >= 1, "max_tracks must be >= 1", *max_tracks);
 }
 

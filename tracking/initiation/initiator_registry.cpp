@@ -1,10 +1,8 @@
 #include "tracking/initiation/initiator_registry.hpp"
 
-#include <algorithm>
-#include <cctype>
-#include <stdexcept>
 #include <utility>
 
+#include "core/name_table.hpp"
 #include "tracking/initiation/methods/ag_fht.hpp"
 #include "tracking/initiation/methods/fpht.hpp"
 #include "tracking/initiation/methods/ht.hpp"
@@ -50,33 +48,22 @@ Entry entry_of(const char* name, MakeInitiator make, KeyNames names) {
 }
 
 /// One line an initiator; those from outside follow.
-std::vector<Entry>& registry() {
-  static std::vector<Entry> entries{
-      entry_of("ht", &make_ht, kHtKeys),
-      entry_of("mht_ti", &make_mht_ti, kMhtTiKeys),
-      entry_of("iht_ti", &make_iht_ti, kIhtTiKeys),
-      entry_of("nht_ti", &make_nht_ti, kNhtTiKeys),
-      entry_of("ag_fht", &make_ag_fht, kAgFhtKeys),
-      entry_of("modified_logic", &make_modified_logic, kModifiedLogicKeys),
-      entry_of("modified_ht", &make_modified_ht, kModifiedHtKeys),
-      entry_of("sequence_ht", &make_sequence_ht, kSequenceHtKeys),
-      entry_of("fpht", &make_fpht, kFphtKeys),
-      entry_of("nht_plus", &make_nht_plus, kNhtPlusKeys),
-      entry_of("vct", &make_vct, kVctKeys),
-  };
+core::NameTable<Entry>& registry() {
+  static core::NameTable<Entry> entries(
+      "initiator", {
+                       entry_of("ht", &make_ht, kLineVotingKeys),
+                       entry_of("mht_ti", &make_mht_ti, kLineVotingKeys),
+                       entry_of("iht_ti", &make_iht_ti, kIhtTiKeys),
+                       entry_of("nht_ti", &make_nht_ti, kNhtTiKeys),
+                       entry_of("ag_fht", &make_ag_fht, kAgFhtKeys),
+                       entry_of("modified_logic", &make_modified_logic, kModifiedLogicKeys),
+                       entry_of("modified_ht", &make_modified_ht, kModifiedHtKeys),
+                       entry_of("sequence_ht", &make_sequence_ht, kSequenceHtKeys),
+                       entry_of("fpht", &make_fpht, kFphtKeys),
+                       entry_of("nht_plus", &make_nht_plus, kNhtPlusKeys),
+                       entry_of("vct", &make_vct, kVctKeys),
+                   });
   return entries;
-}
-
-bool is_name(const std::string& text) {
-  const auto is_part = [](unsigned char letter) { return std::isalnum(letter) != 0 || letter == '_'; };
-  return !text.empty() && std::all_of(text.begin(), text.end(), is_part);
-}
-
-/// A tracker's name as birth method means the tracker's own births.
-bool is_taken(const std::string& name) {
-  std::vector<std::string> taken = initiator_names();
-  for (const auto& tracker : tracker_names()) taken.push_back(tracker);
-  return std::find(taken.begin(), taken.end(), name) != taken.end();
 }
 
 /// The keys that are accepted for one initiator; where there is none of that name, those of all.
@@ -84,12 +71,12 @@ std::vector<InitiatorKey> accepted_keys(const std::string& name, InitiatorUse us
   std::vector<InitiatorKey> keys;
   append(keys, use == InitiatorUse::points ? kPointKeys : kBirthKeys);
   if (use == InitiatorUse::births && !suits_any_sensor(name)) append(keys, kLocalKeys);
-  for (const Entry& entry : registry()) {
-    if (entry.name != name) continue;
-    keys.insert(keys.end(), entry.keys.begin(), entry.keys.end());
+  if (const Entry* entry = registry().find(name)) {
+    keys.insert(keys.end(), entry->keys.begin(), entry->keys.end());
     return keys;
   }
-  for (const Entry& entry : registry()) keys.insert(keys.end(), entry.keys.begin(), entry.keys.end());
+  for (const Entry& entry : registry().entries())
+    keys.insert(keys.end(), entry.keys.begin(), entry.keys.end());
   for (const auto& key : common_initiator_keys()) keys.push_back({.name = key});
   return keys;
 }
@@ -101,13 +88,8 @@ bool suits_any_sensor(const std::string& name) {
 }
 
 void register_initiator(const std::string& name, MakeInitiator make, std::vector<InitiatorKey> keys) {
-  if (!is_name(name))
-    throw std::invalid_argument("an initiator's name must be letters, digits and underscores, got `" + name +
-                                "`");
-  if (is_taken(name)) throw std::invalid_argument("the name `" + name + "` of an initiator is taken");
-  if (make == nullptr)
-    throw std::invalid_argument("the initiator `" + name + "` has no function that makes it");
-  registry().push_back({name, std::move(make), std::move(keys)});
+  // A tracker's name as birth method means the tracker's own births.
+  registry().add({name, std::move(make), std::move(keys)}, tracker_names());
 }
 
 void read_initiator_config(const core::YamlMap& map, const std::string& name, InitiatorUse use,
@@ -116,18 +98,11 @@ void read_initiator_config(const core::YamlMap& map, const std::string& name, In
 }
 
 std::vector<std::string> initiator_names() {
-  std::vector<std::string> names;
-  for (const Entry& entry : registry()) names.push_back(entry.name);
-  return names;
+  return registry().names();
 }
 
 std::unique_ptr<Initiator> make_initiator(const std::string& name, const InitiatorConfig& config) {
-  std::string accepted;
-  for (const Entry& entry : registry()) {
-    if (name == entry.name) return entry.make(config);
-    accepted += " " + entry.name;
-  }
-  throw std::invalid_argument("initiator must be one of" + accepted + ", got `" + name + "`");
+  return registry().at(name).make(config);
 }
 
 }  // namespace lookout::tracking

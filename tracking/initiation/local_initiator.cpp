@@ -10,7 +10,7 @@ namespace lookout::tracking {
 void LocalInitiatorParams::validate() const {
   verifier.validate();
   core::require(stride >= 1, "stride must be >= 1", stride);
-  core::require(margin >= 0.0, "margin must be >= 0", margin);
+  core::require_not_negative("margin", margin);
   core::require(window_scans >= 3, "window_scans must be >= 3", window_scans);
 }
 

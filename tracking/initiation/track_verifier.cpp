@@ -27,9 +27,8 @@ void TrackVerifierParams::validate() const {
   motion.validate();
   core::require(std::isfinite(speeds.max), "max_speed must be finite", speeds.max);
   core::require(min_plots >= 3, "min_plots must be >= 3", min_plots);
-  core::require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability must be in (0, 1)",
-                chain_probability);
-  core::require(margin_sigmas >= 0.0, "margin_sigmas must be >= 0", margin_sigmas);
+  core::require_inner_share("chain_probability", chain_probability);
+  core::require_not_negative("margin_sigmas", margin_sigmas);
   core::require(max_false_tracks > 0.0, "max_false_tracks must be > 0", max_false_tracks);
   if (clutter_per_area)
     core::require(*clutter_per_area > 0.0, "clutter_per_area must be > 0", *clutter_per_area);

@@ -15,9 +15,8 @@ constexpr double kLeastCutoff = 7.5;
 
 void validate(const MotionChangeParams& p) {
   core::require(p.window_s > 0.0 && p.window_s <= 30.0, "manoeuvre window_s must be in (0, 30]", p.window_s);
-  core::require(p.prior > 0.0 && p.prior < 1.0, "manoeuvre prior must be in (0, 1)", p.prior);
-  core::require(p.curved_share > 0.0 && p.curved_share < 1.0, "curved_share must be in (0, 1)",
-                p.curved_share);
+  core::require_inner_share("manoeuvre prior", p.prior);
+  core::require_inner_share("curved_share", p.curved_share);
   core::require(p.least_scans >= 1, "least_scans must be >= 1", p.least_scans);
   core::require(p.memory_s >= p.window_s, "manoeuvre memory_s must be >= window_s", p.memory_s);
   core::require(p.rounds >= 1, "manoeuvre rounds must be >= 1", p.rounds);
@@ -26,49 +25,41 @@ void validate(const MotionChangeParams& p) {
   core::require(p.velocity_slack > 0.0, "velocity_slack must be > 0", p.velocity_slack);
   core::require(p.acceleration_slack > 0.0, "acceleration_slack must be > 0", p.acceleration_slack);
   core::require(p.turn_slack > 0.0, "turn_slack must be > 0", p.turn_slack);
-  core::require(p.constant_velocity_nats >= 0.0, "constant_velocity_nats must be >= 0",
-                p.constant_velocity_nats);
+  core::require_not_negative("constant_velocity_nats", p.constant_velocity_nats);
   core::require(p.redraw_nats > 0.0, "redraw_nats must be > 0", p.redraw_nats);
   core::require(p.young_windows >= 0, "young_windows must be >= 0", p.young_windows);
   core::require(p.sudden_scans >= 1, "sudden_scans must be >= 1", p.sudden_scans);
-  core::require(p.hopeless_nats >= 0.0, "hopeless_nats must be >= 0", p.hopeless_nats);
-  core::require(p.constant_turn_nats >= 0.0, "constant_turn_nats must be >= 0", p.constant_turn_nats);
-  core::require(p.constant_acceleration_nats >= 0.0, "constant_acceleration_nats must be >= 0",
-                p.constant_acceleration_nats);
-  core::require(p.trusted_share > 0.0 && p.trusted_share < 1.0, "trusted_share must be in (0, 1)",
-                p.trusted_share);
+  core::require_not_negative("hopeless_nats", p.hopeless_nats);
+  core::require_not_negative("constant_turn_nats", p.constant_turn_nats);
+  core::require_not_negative("constant_acceleration_nats", p.constant_acceleration_nats);
+  core::require_inner_share("trusted_share", p.trusted_share);
 }
 
 void validate(const LifeParams& p) {
   core::require(p.end_log_odds < 0.0, "end_log_odds must be < 0", p.end_log_odds);
   core::require(p.mean_life_s > 0.0, "mean_life_s must be > 0", p.mean_life_s);
-  core::require(p.coast_s >= 0.0, "coast_s must be >= 0", p.coast_s);
-  core::require(p.return_s >= 0.0, "return_s must be >= 0", p.return_s);
-  core::require(p.twin_distance >= 0.0, "twin_distance must be >= 0", p.twin_distance);
-  core::require(p.twin_speed >= 0.0, "twin_speed must be >= 0", p.twin_speed);
-  core::require(p.in_view_share > 0.0 && p.in_view_share < 1.0, "in_view_share must be in (0, 1)",
-                p.in_view_share);
+  core::require_not_negative("coast_s", p.coast_s);
+  core::require_not_negative("return_s", p.return_s);
+  core::require_not_negative("twin_distance", p.twin_distance);
+  core::require_not_negative("twin_speed", p.twin_speed);
+  core::require_inner_share("in_view_share", p.in_view_share);
 }
 
 void validate(const ReportParams& p) {
   core::require(p.standing.creep > 0.0, "standing creep must be > 0", p.standing.creep);
-  core::require(p.min_existence >= 0.0 && p.min_existence <= 1.0, "min_existence must be in [0, 1]",
-                p.min_existence);
+  core::require_probability("min_existence", p.min_existence);
   core::require(p.cutoff > 0.0, "cutoff must be > 0", p.cutoff);
   core::require(p.samples >= 1, "samples must be >= 1", p.samples);
-  core::require(p.least_probability >= 0.0 && p.least_probability <= 1.0,
-                "least_probability must be in [0, 1]", p.least_probability);
+  core::require_probability("least_probability", p.least_probability);
   core::require(std::isfinite(p.first_log_odds) && p.first_log_odds >= 0.0, "first_log_odds must be >= 0",
                 p.first_log_odds);
-  core::require(p.published_tentative >= 0.0 && p.published_tentative <= 1.0,
-                "published_tentative must be in [0, 1]", p.published_tentative);
+  core::require_probability("published_tentative", p.published_tentative);
 }
 
 void validate(const HeadingParams& p) {
   core::require(p.steps >= 1, "heading steps must be >= 1", p.steps);
   core::require(p.reach_sigmas > 0.0, "reach_sigmas must be > 0", p.reach_sigmas);
-  core::require(p.least_existence > 0.0 && p.least_existence <= 1.0, "least_existence must be in (0, 1]",
-                p.least_existence);
+  core::require_share("least_existence", p.least_existence);
 }
 
 }  // namespace

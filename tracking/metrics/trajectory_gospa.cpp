@@ -9,6 +9,8 @@
 #include <string>
 #include <utility>
 
+#include "core/parameter_check.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -101,13 +103,8 @@ class GroupSearch {
     const auto best = std::min_element(states_.begin(), states_.end(),
                                        [](const State& a, const State& b) { return a.cost < b.cost; });
     std::size_t index = best->last_step;
-    for (std::size_t time = sum.size(); time-- > 0; index = steps_[index].before) {
-      const TrajectoryGospaStep& step = steps_[index].step;
-      sum[time].localization += step.localization;
-      sum[time].missed += step.missed;
-      sum[time].false_tracks += step.false_tracks;
-      sum[time].switches += step.switches;
-    }
+    for (std::size_t time = sum.size(); time-- > 0; index = steps_[index].before)
+      sum[time] += steps_[index].step;
   }
 
  private:
@@ -251,16 +248,19 @@ class GroupSearch {
 
 }  // namespace
 
+TrajectoryGospaStep& TrajectoryGospaStep::operator+=(const TrajectoryGospaStep& other) {
+  localization += other.localization;
+  missed += other.missed;
+  false_tracks += other.false_tracks;
+  switches += other.switches;
+  return *this;
+}
+
 TrajectoryGospa::TrajectoryGospa(const TrajectoryGospaParams& params) : params_(params) {
-  const auto positive = [](double value, const char* name) {
-    if (!(value > 0.0 && std::isfinite(value)))
-      throw std::invalid_argument(std::string(name) + " must be > 0 and finite, got " +
-                                  std::to_string(value));
-  };
-  positive(params.cutoff, "cutoff");
-  positive(params.switch_penalty, "switch penalty");
-  if (!(params.order >= 1.0 && std::isfinite(params.order)))
-    throw std::invalid_argument("order must be >= 1 and finite, got " + std::to_string(params.order));
+  core::require_positive("cutoff", params.cutoff);
+  core::require_positive("switch penalty", params.switch_penalty);
+  core::require(params.order >= 1.0 && std::isfinite(params.order), "order must be >= 1 and finite",
+                params.order);
 }
 
 double TrajectoryGospa::total(const TrajectoryGospaStep& step) const {
@@ -280,12 +280,7 @@ TrajectoryGospaResult TrajectoryGospa::operator()(const TrajectorySet& truth,
     search.add_to(result.steps);
   }
   TrajectoryGospaStep sum;
-  for (const auto& step : result.steps) {
-    sum.localization += step.localization;
-    sum.missed += step.missed;
-    sum.false_tracks += step.false_tracks;
-    sum.switches += step.switches;
-  }
+  for (const auto& step : result.steps) sum += step;
   result.total = total(sum);
   result.localization = total({.localization = sum.localization});
   result.missed = total({.missed = sum.missed});

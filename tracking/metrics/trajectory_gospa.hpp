@@ -20,6 +20,9 @@ struct TrajectoryGospaStep {
   int missed = 0;             ///< Targets without a track, each 1/2.
   int false_tracks = 0;       ///< Tracks without a target, each 1/2.
   double switches = 0.0;  ///< Changes of track since the time before; a change to or from none is half a one.
+
+  /// Adds another's parts to these.
+  TrajectoryGospaStep& operator+=(const TrajectoryGospaStep& other);
 };
 
 /// The distance of two sets of trajectories and its parts: total^p = localization^p + missed^p +

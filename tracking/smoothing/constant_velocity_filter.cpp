@@ -8,7 +8,7 @@
 namespace lookout::tracking {
 
 void MotionModelParams::validate() const {
-  core::require(acceleration_sigma >= 0.0, "acceleration_sigma must be >= 0", acceleration_sigma);
+  core::require_not_negative("acceleration_sigma", acceleration_sigma);
 }
 
 void predict(core::Track& track, double seconds, const MotionModelParams& motion) {

@@ -6,10 +6,10 @@
 
 namespace lookout::tracking {
 void ManoeuvreParams::validate() const {
-  core::require(share > 0.0 && share < 1.0, "manoeuvre: share must be in (0, 1)", share);
+  core::require_inner_share("manoeuvre: share", share);
   core::require(threshold > 0.0, "manoeuvre: threshold must be > 0", threshold);
-  core::require(position_variance >= 0.0, "manoeuvre: position_variance must be >= 0", position_variance);
-  core::require(velocity_variance >= 0.0, "manoeuvre: velocity_variance must be >= 0", velocity_variance);
+  core::require_not_negative("manoeuvre: position_variance", position_variance);
+  core::require_not_negative("manoeuvre: velocity_variance", velocity_variance);
 }
 
 ManoeuvreDetector::ManoeuvreDetector(const ManoeuvreParams& params) : params_(params) {

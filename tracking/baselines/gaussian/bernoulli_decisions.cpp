@@ -26,6 +26,14 @@ void BernoulliDecisions::step(BernoulliTrack& track, const ExistenceParams& para
   if (decision) tell(track, utime, decision->kind, decision->reason);
 }
 
+bool BernoulliDecisions::step(BernoulliTrack& track, const ExistenceParams& params,
+                              const RivalScene& scene) const {
+  constexpr double kHalf = 0.5;
+  const bool in_view = scene.view().in_view(scene.view().spread_of(track.target)) >= kHalf;
+  step(track, params, scene.utime(), in_view);
+  return !track.life.ended();
+}
+
 void BernoulliDecisions::began(const BernoulliTrack& track) const {
   tell(track, track.first_utime, DecisionKind::begin, "a return that may be nobody else's");
 }

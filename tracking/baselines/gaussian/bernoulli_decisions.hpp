@@ -18,6 +18,10 @@ class BernoulliDecisions {
   /// Takes a scan at `utime` [us] into a track's life. @param in_view whether the sonar could see it.
   void step(BernoulliTrack& track, const ExistenceParams& params, std::int64_t utime, bool in_view) const;
 
+  /// Takes the newest scan into a track's life; seen is what is in view more probably than not.
+  /// @return whether the track goes on.
+  bool step(BernoulliTrack& track, const ExistenceParams& params, const RivalScene& scene) const;
+
   /// A track began on a return at its `first_utime`.
   void began(const BernoulliTrack& track) const;
   /// Tracks with a flag end at `utime` [us], for they follow another's target. @param dropped one a track.

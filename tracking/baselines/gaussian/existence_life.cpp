@@ -6,7 +6,7 @@
 namespace lookout::tracking {
 
 void ExistenceParams::validate() const {
-  core::require(confirm > 0.0 && confirm < 1.0, "confirm must be in (0, 1)", confirm);
+  core::require_inner_share("confirm", confirm);
   core::require(end > 0.0 && end < confirm, "end must be in (0, confirm)", end);
   core::require(forget > 0.0 && forget < confirm, "forget must be in (0, confirm)", forget);
   core::require_not_negative("coast_s", coast_s);

@@ -21,6 +21,11 @@ double RivalScene::birth_ratio(const ViewedReturn& seen) const {
   return undetected_.density() * view_.detection_probability() / seen.clutter_density;
 }
 
+double RivalScene::birth_existence(const ViewedReturn& seen, double free) const {
+  const double ratio = birth_ratio(seen);
+  return free * ratio / (1.0 + ratio);
+}
+
 void RivalScene::finish(const ScanTally& tally) {
   undetected_.miss(view_.detection_probability());
   figures_.learn(tally);

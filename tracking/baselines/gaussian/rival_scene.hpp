@@ -28,6 +28,9 @@ class RivalScene {
   double survival() const { return undetected_.survival(seconds_); }  ///< Over `seconds()`.
   /// Weight of a return being a target's that was never detected before, over its being false.
   double birth_ratio(const ViewedReturn& seen) const;
+  /// Probability that a return is a new target's, by the ratio of undetected targets to false returns.
+  /// @param free probability that no track owns it.
+  double birth_existence(const ViewedReturn& seen, double free) const;
 
  private:
   core::SonarParams sonar_;

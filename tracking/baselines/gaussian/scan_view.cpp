@@ -18,10 +18,6 @@ double normal_cdf(double x) {
   return 0.5 * std::erfc(-x / std::numbers::sqrt2);
 }
 
-bool is_probability(double value) {
-  return value > 0.0 && value <= 1.0;
-}
-
 /// Squared standard deviation of a position along a unit vector.
 double variance_along(const Eigen::Matrix2d& covariance, const Eigen::Vector2d& direction) {
   return direction.dot(covariance * direction);
@@ -30,8 +26,8 @@ double variance_along(const Eigen::Matrix2d& covariance, const Eigen::Vector2d& 
 }  // namespace
 
 void ScanViewParams::validate() const {
-  core::require(hidden > 0.0 && hidden < 1.0, "hidden must be in (0, 1)", hidden);
-  core::require(is_probability(shadowed), "shadowed must be in (0, 1]", shadowed);
+  core::require_inner_share("hidden", hidden);
+  core::require_share("shadowed", shadowed);
 }
 
 ScanView::ScanView(const ScanViewParams& params)

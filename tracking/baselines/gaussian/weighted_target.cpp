@@ -66,7 +66,7 @@ void scale_to(double total, std::vector<WeightedTarget>& mixture) {
 }  // namespace
 
 void ReductionParams::validate() const {
-  core::require(least_share >= 0.0 && least_share < 1.0, "least_share must be in [0, 1)", least_share);
+  core::require_share_below_one("least_share", least_share);
   core::require_not_negative("merge_distance", merge_distance);
   core::require(most >= 1, "most must be >= 1", most);
 }

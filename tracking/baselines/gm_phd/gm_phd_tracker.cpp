@@ -3,11 +3,6 @@
 #include <algorithm>
 
 namespace lookout::tracking {
-namespace {
-
-constexpr double kHalf = 0.5;
-
-}  // namespace
 
 void GmPhdParams::validate() const {
   existence.validate();
@@ -57,6 +52,7 @@ void GmPhdTracker::tell_lost(const BernoulliTrack& track) const {
 }
 
 void GmPhdTracker::follow(BernoulliTrack& track, const LabelSum& label) {
+  constexpr double kHalf = 0.5;
   track.id = label.label;
   track.target = label.target;
   track.existence = std::min(1.0, label.weight);
@@ -68,12 +64,10 @@ void GmPhdTracker::follow(BernoulliTrack& track, const LabelSum& label) {
 void GmPhdTracker::step_lives() {
   std::size_t kept = 0;
   for (auto& track : tracks_) {
-    const bool in_view = scene_.view().in_view(track.spread) >= kHalf;
-    decisions_.step(track, params_.existence, scene_.utime(), in_view);
-    if (track.life.ended())
-      intensity_.forget(track.id);
-    else
+    if (decisions_.step(track, params_.existence, scene_))
       tracks_[kept++] = track;
+    else
+      intensity_.forget(track.id);
   }
   tracks_.resize(kept);
 }

@@ -8,7 +8,7 @@
 namespace lookout::tracking {
 
 void IntensityParams::validate() const {
-  core::require(least_weight > 0.0 && least_weight < 1.0, "least_weight must be in (0, 1)", least_weight);
+  core::require_inner_share("least_weight", least_weight);
   core::require_not_negative("merge_distance", merge_distance);
   core::require(most >= 1, "most must be >= 1", most);
 }
@@ -69,10 +69,8 @@ void PhdIntensity::add_detected(const ViewedReturn& seen, const RivalScene& scen
 }
 
 void PhdIntensity::keep_few() {
-  const auto is_light = [this](const WeightedTarget& component) {
-    return component.weight < params_.least_weight;
-  };
-  components_.erase(std::remove_if(components_.begin(), components_.end(), is_light), components_.end());
+  std::erase_if(components_,
+                [this](const WeightedTarget& component) { return component.weight < params_.least_weight; });
   reduce(components_, {.least_share = 0.0,
                        .merge_distance = params_.merge_distance,
                        .most = params_.most,
@@ -80,8 +78,7 @@ void PhdIntensity::keep_few() {
 }
 
 void PhdIntensity::forget(std::int64_t label) {
-  const auto is_its = [label](const WeightedTarget& component) { return component.label == label; };
-  components_.erase(std::remove_if(components_.begin(), components_.end(), is_its), components_.end());
+  std::erase_if(components_, [label](const WeightedTarget& component) { return component.label == label; });
 }
 
 void PhdIntensity::sum_up() {

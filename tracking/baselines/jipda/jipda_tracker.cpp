@@ -52,13 +52,9 @@ void JipdaTracker::drop_twins() {
 }
 
 void JipdaTracker::step_lives() {
-  constexpr double kHalf = 0.5;
   std::size_t kept = 0;
-  for (auto& track : tracks_) {
-    const bool in_view = scene_.view().in_view(scene_.view().spread_of(track.target)) >= kHalf;
-    decisions_.step(track, params_.existence, scene_.utime(), in_view);
-    if (!track.life.ended()) tracks_[kept++] = track;
-  }
+  for (auto& track : tracks_)
+    if (decisions_.step(track, params_.existence, scene_)) tracks_[kept++] = track;
   tracks_.resize(kept);
 }
 
@@ -66,12 +62,10 @@ void JipdaTracker::learn() {
   scene_.finish(tally_of(tracks_, scene_.view()));
 }
 
-// A return that no track owns is a new target's by the ratio of undetected targets to false returns.
 void JipdaTracker::begin() {
   const auto& returns = scene_.view().returns();
   for (std::size_t j = 0; j < returns.size(); ++j) {
-    const double ratio = scene_.birth_ratio(returns[j]);
-    const double existence = update_.unclaimed(j) * ratio / (1.0 + ratio);
+    const double existence = scene_.birth_existence(returns[j], update_.unclaimed(j));
     if (existence < params_.existence.forget) continue;
     BernoulliTrack track;
     track.id = next_id_++;

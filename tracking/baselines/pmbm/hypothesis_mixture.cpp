@@ -20,9 +20,8 @@ bool heavier(const HypothesisMixture::Global& a, const HypothesisMixture::Global
 
 void MixtureParams::validate() const {
   core::require(most_hypotheses >= 1, "most_hypotheses must be >= 1", most_hypotheses);
-  core::require(least_weight > 0.0 && least_weight < 1.0, "least_weight must be in (0, 1)", least_weight);
-  core::require(least_existence > 0.0 && least_existence < 1.0, "least_existence must be in (0, 1)",
-                least_existence);
+  core::require_inner_share("least_weight", least_weight);
+  core::require_inner_share("least_existence", least_existence);
 }
 
 HypothesisMixture::HypothesisMixture(const MixtureParams& params) : params_(params) {

@@ -11,7 +11,7 @@ void PmbmParams::validate() const {
   existence.validate();
   reduction.validate();
   core::require(most_events >= 1.0, "most_events must be >= 1", most_events);
-  core::require(promote > 0.0 && promote < 1.0, "promote must be in (0, 1)", promote);
+  core::require_inner_share("promote", promote);
   core::require(demote > 0.0 && demote < promote, "demote must be in (0, promote)", demote);
   core::require_not_negative("twin_distance", twin_distance);
 }
@@ -79,17 +79,12 @@ void PmbmTracker::drop_twins() {
 
 void PmbmTracker::step_lives() {
   std::vector<char> ended;
-  for (auto& track : mixture_.tracks()) ended.push_back(step_life(track.head) ? 1 : 0);
-  for (auto& tree : trees_) ended.push_back(step_life(tree.head) ? 1 : 0);
+  const auto step = [&](BernoulliTrack& head) {
+    ended.push_back(decisions_.step(head, params_.existence, scene_) ? 0 : 1);
+  };
+  for (auto& track : mixture_.tracks()) step(track.head);
+  for (auto& tree : trees_) step(tree.head);
   drop(ended);
-}
-
-/// @return whether the track ends.
-bool PmbmTracker::step_life(BernoulliTrack& head) {
-  constexpr double kHalf = 0.5;
-  const bool in_view = scene_.view().in_view(scene_.view().spread_of(head.target)) >= kHalf;
-  decisions_.step(head, params_.existence, scene_.utime(), in_view);
-  return head.life.ended();
 }
 
 void PmbmTracker::learn() {
@@ -114,12 +109,10 @@ void PmbmTracker::move_between() {
   for (auto& tree : demoted) trees_.push_back(std::move(tree));
 }
 
-// A return that no track owns is a new target's by the ratio of undetected targets to false returns.
 void PmbmTracker::begin() {
   const auto& returns = scene_.view().returns();
   for (std::size_t j = 0; j < returns.size(); ++j) {
-    const double ratio = scene_.birth_ratio(returns[j]);
-    const double existence = free_[j] * update_.unclaimed(j) * ratio / (1.0 + ratio);
+    const double existence = scene_.birth_existence(returns[j], free_[j] * update_.unclaimed(j));
     if (existence < params_.existence.forget) continue;
     TrackTree tree;
     tree.head.id = next_id_++;

@@ -53,7 +53,6 @@ class PmbmTracker : public Tracker {
   void predict();
   void associate();
   void step_lives();
-  bool step_life(BernoulliTrack& head);
   void drop_twins();
   void learn();
   void move_between();

@@ -22,14 +22,8 @@ void DenseAccumulator::collect(const LineGrid& grid, int least, std::size_t limi
   }
 }
 
-bool DenseAccumulator::is_local_maximum(const LineGrid& grid, const LineCell& cell) const {
-  for (int i = -1; i <= 1; ++i) {
-    for (int j = -1; j <= 1; ++j) {
-      const LineCell beside = grid.wrapped({cell.theta + i, cell.rho + j});
-      if (grid.contains(beside) && votes(grid, beside) > votes(grid, cell)) return false;
-    }
-  }
-  return true;
+bool DenseAccumulator::is_local_maximum(const LineGrid& grid, const LineVote& vote) const {
+  return tracking::is_local_maximum(grid, vote, [&](const LineCell& cell) { return votes(grid, cell); });
 }
 
 void ColumnVoting::vote(const LineGrid& grid, const Eigen::Vector2d& p, DenseAccumulator& votes) {

@@ -25,8 +25,8 @@ class DenseAccumulator {
   int most() const;  ///< Votes of the fullest cell, 0 where nothing voted.
   /// The first `limit` cells of at least `least` votes, appended to `found` in the order of the grid.
   void collect(const LineGrid& grid, int least, std::size_t limit, std::vector<LineVote>& found) const;
-  /// Whether none of the eight cells around holds more votes.
-  bool is_local_maximum(const LineGrid& grid, const LineCell& cell) const;
+  /// Whether none of the eight cells around one of the collected votes holds more.
+  bool is_local_maximum(const LineGrid& grid, const LineVote& vote) const;
 
  private:
   std::vector<std::uint16_t> votes_;

@@ -23,8 +23,7 @@ void LineVotingParams::validate() const {
   core::require_positive("rho_tolerance", rho_tolerance);
   core::require_positive("theta_tolerance", theta_tolerance);
   core::require_not_negative("min_votes", min_votes);
-  core::require(peak_threshold > 0.0 && peak_threshold <= 1.0, "peak_threshold must be in (0, 1]",
-                peak_threshold);
+  core::require_share("peak_threshold", peak_threshold);
   core::require(min_plots >= 2, "min_plots must be >= 2", min_plots);
   core::require(window_scans >= 2, "window_scans must be >= 2", window_scans);
   core::require(max_tracks >= 1, "max_tracks must be >= 1", max_tracks);
@@ -76,18 +75,6 @@ LineGrid grid_over(const PlotWindow& window, const LineVotingParams& params) {
   return {num_theta, 2 * static_cast<int>(half_rows) + middle, (half_rows + 0.5 * middle) * params.rho_step};
 }
 
-bool is_local_maximum(const LineGrid& grid, const SparseAccumulator& votes,
-                      const SparseAccumulator::Entry& entry) {
-  const LineCell cell = grid.cell_at(entry.key);
-  for (int i = -1; i <= 1; ++i) {
-    for (int j = -1; j <= 1; ++j) {
-      const LineCell beside = grid.wrapped({cell.theta + i, cell.rho + j});
-      if (grid.contains(beside) && votes.value(grid.index(beside)) > entry.total()) return false;
-    }
-  }
-  return true;
-}
-
 std::span<const LineVote> declared_lines(const LineGrid& grid, const SparseAccumulator& votes,
                                          const LineVotingParams& params, std::vector<LineVote>& candidates) {
   candidates.clear();
@@ -96,30 +83,11 @@ std::span<const LineVote> declared_lines(const LineGrid& grid, const SparseAccum
   if (highest <= 0.0) return {};
   const double least = std::max(params.min_votes, params.peak_threshold * highest);
   for (const auto& entry : votes.entries()) {
-    if (entry.total() >= least && is_local_maximum(grid, votes, entry))
-      candidates.push_back({grid.cell_at(entry.key), entry.total()});
+    const LineVote vote{grid.cell_at(entry.key), entry.total()};
+    const auto votes_of = [&](const LineCell& cell) { return votes.value(grid.index(cell)); };
+    if (vote.value >= least && is_local_maximum(grid, vote, votes_of)) candidates.push_back(vote);
   }
   return strongest_peaks(grid, params.peaks(), candidates);
-}
-
-void declare_tracks(const PlotWindow& window, const PairVotes& cast, const LineVotingParams& params,
-                    std::vector<LineVote>& candidates, LineTrackBuilder& builder, StartedTracks& started) {
-  const double theta_reach = 2.0 * params.theta_tolerance;
-  const double rho_reach = 2.0 * params.rho_tolerance;
-  for (const LineVote& peak : declared_lines(cast.grid, cast.votes, params, candidates)) {
-    const NormalLine line = cast.grid.centre(peak.cell);
-    builder.clear();
-    for_pairs_near(cast.pairs, line, theta_reach, rho_reach, [&](const PairPoint& pair, const NormalLine&) {
-      builder.add(pair.older, pair.weight);
-      builder.add(pair.newer, pair.weight);
-    });
-    builder.build(window, line, params.min_plots, params.motion, peak.value, started);
-  }
-  started.survivors = started.plots;
-}
-
-void append_votes(const LineGrid& grid, const SparseAccumulator& votes, std::vector<LineVote>& cells) {
-  for (const auto& entry : votes.entries()) cells.push_back({grid.cell_at(entry.key), entry.total()});
 }
 
 }  // namespace lookout::tracking

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "tracking/initiation/initiator_config.hpp"
 #include "tracking/initiation/lines/line_grid.hpp"
-#include "tracking/initiation/lines/line_track.hpp"
-#include "tracking/initiation/lines/pair_points.hpp"
 #include "tracking/initiation/lines/peak_extraction.hpp"
 #include "tracking/initiation/lines/sparse_accumulator.hpp"
+#include "tracking/initiation/plots/plot_window.hpp"
+#include "tracking/smoothing/constant_velocity_filter.hpp"
 
 namespace lookout::tracking {
 
@@ -37,6 +38,11 @@ struct LineVotingParams {
   PeakParams peaks() const;
 };
 
+/// What `line_voting_params` uses of the `initiator:` part of a configuration, but for `gate_margin`.
+inline constexpr std::initializer_list<const char*> kLineVotingKeys{
+    "rho_step",  "theta_step_deg", "rho_tolerance", "theta_tolerance_deg", "peak_threshold",
+    "min_plots", "max_tracks",     "window_scans",  "acceleration_sigma"};
+
 /// The paper's values with those that the user gave. @throws std::invalid_argument on a value out of range.
 LineVotingParams line_voting_params(const InitiatorConfig& config);
 
@@ -44,30 +50,10 @@ LineVotingParams line_voting_params(const InitiatorConfig& config);
 /// rows.
 LineGrid grid_over(const PlotWindow& window, const LineVotingParams& params);
 
-/// Whether no cell around `cell` holds more votes.
-bool is_local_maximum(const LineGrid& grid, const SparseAccumulator& votes,
-                      const SparseAccumulator::Entry& entry);
-
 /// The declared lines of a sparse accumulator: local maxima of at least `peak_threshold` of the highest, one
 /// per neighbourhood. [Fan2018] section IV.
 /// @param candidates scratch memory, overwritten; the result points into it.
 std::span<const LineVote> declared_lines(const LineGrid& grid, const SparseAccumulator& votes,
                                          const LineVotingParams& params, std::vector<LineVote>& candidates);
-
-/// A ballot: the lines that could be voted for, the votes and who cast them.
-struct PairVotes {
-  const LineGrid& grid;                 ///< The lines.
-  const SparseAccumulator& votes;       ///< By cell of the grid.
-  const std::vector<PairPoint>& pairs;  ///< Sorted by theta.
-};
-
-/// Declares the tracks of a sparse accumulator: the pairs in the neighbourhood of each declared line choose
-/// its plots.
-/// @param candidates, builder scratch memory.
-void declare_tracks(const PlotWindow& window, const PairVotes& cast, const LineVotingParams& params,
-                    std::vector<LineVote>& candidates, LineTrackBuilder& builder, StartedTracks& started);
-
-/// Appends every cell with votes to `cells`.
-void append_votes(const LineGrid& grid, const SparseAccumulator& votes, std::vector<LineVote>& cells);
 
 }  // namespace lookout::tracking

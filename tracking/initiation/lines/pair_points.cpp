@@ -9,7 +9,7 @@ namespace lookout::tracking {
 PairFormation::PairFormation(const SpeedLimits& speeds, std::int64_t max_pairs, double margin)
     : speeds_(speeds), max_pairs_(max_pairs), margin_(margin) {
   speeds.validate();
-  core::require(margin >= 0.0, "gate_margin must be >= 0", margin);
+  core::require_not_negative("gate_margin", margin);
 }
 
 void PairFormation::add(const PlotWindow& window, int older, int newer, const Eigen::Vector2d& origin) {

@@ -14,6 +14,19 @@ struct LineVote {
   int layer = 0;       ///< Index along a third axis (speed); 0 where there is none.
 };
 
+/// Whether none of the eight cells around a vote's holds more, over the ends of theta too.
+/// @param votes_of(cell) what a cell on the grid holds.
+template <class VotesOf>
+bool is_local_maximum(const LineGrid& grid, const LineVote& vote, const VotesOf& votes_of) {
+  for (int i = -1; i <= 1; ++i) {
+    for (int j = -1; j <= 1; ++j) {
+      const LineCell beside = grid.wrapped({vote.cell.theta + i, vote.cell.rho + j});
+      if (grid.contains(beside) && votes_of(beside) > vote.value) return false;
+    }
+  }
+  return true;
+}
+
 /// Which candidates count as one peak.
 struct PeakParams {
   int theta_radius = 1;   ///< Columns around a peak that it suppresses, >= 0.

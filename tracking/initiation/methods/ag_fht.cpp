@@ -44,10 +44,8 @@ AgFhtInitiator::AgFhtInitiator(const AgFhtParams& params)
                 "min_hits must be in 2 .. min_plots", params.min_hits);
   core::require(params.reach >= 0, "reach must be >= 0", params.reach);
   core::require_positive("cell_sigma", params.cell_sigma);
-  core::require(params.share_of_highest > 0.0 && params.share_of_highest < 1.0,
-                "share_of_highest must be in (0, 1)", params.share_of_highest);
-  core::require(params.share_of_mean > 0.0 && params.share_of_mean < 1.0, "share_of_mean must be in (0, 1)",
-                params.share_of_mean);
+  core::require_inner_share("share_of_highest", params.share_of_highest);
+  core::require_inner_share("share_of_mean", params.share_of_mean);
   for (int i = 0; i < grid_.num_theta(); ++i) normals_.push_back(NormalLine{0.0, grid_.theta_of(i)}.normal());
 }
 

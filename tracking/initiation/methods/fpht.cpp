@@ -16,8 +16,7 @@ constexpr std::int64_t kMaxVotes = 1'000'000'000;  // A few seconds.
 
 FphtInitiator::FphtInitiator(const FphtParams& params)
     : params_(params), grid_(params.grid.num_theta, params.grid.num_rho, params.grid.half_range) {
-  core::require(params.peak_threshold > 0.0 && params.peak_threshold <= 1.0,
-                "peak_threshold must be in (0, 1]", params.peak_threshold);
+  core::require_share("peak_threshold", params.peak_threshold);
   core::require(params.reach >= 0, "reach must be >= 0", params.reach);
   core::require_positive("cell_sigma", params.cell_sigma);
   core::require(params.min_plots >= 2, "min_plots must be >= 2", params.min_plots);
@@ -70,27 +69,17 @@ double FphtInitiator::membership(const LineCell& cell, const Eigen::Vector2d& po
   return std::exp(-0.5 * rows * rows);
 }
 
-bool FphtInitiator::is_local_maximum(std::int64_t index) const {
-  const LineCell cell = grid_.cell_at(index);
-  for (int i = -1; i <= 1; ++i) {
-    for (int j = -1; j <= 1; ++j) {
-      const LineCell beside = grid_.wrapped({cell.theta + i, cell.rho + j});
-      if (grid_.contains(beside) &&
-          votes_[static_cast<std::size_t>(grid_.index(beside))] > votes_[static_cast<std::size_t>(index)])
-        return false;
-    }
-  }
-  return true;
-}
-
 void FphtInitiator::declare(const PlotWindow& window) {
   const float highest = *std::max_element(votes_.begin(), votes_.end());
   if (highest <= 0.0f) return;
   candidates_.clear();
+  const auto votes_of = [&](const LineCell& cell) {
+    return votes_[static_cast<std::size_t>(grid_.index(cell))];
+  };
   for (std::int64_t i = 0; i < grid_.num_cells(); ++i) {
-    const float held = votes_[static_cast<std::size_t>(i)];
-    if (held >= params_.peak_threshold * highest && is_local_maximum(i))
-      candidates_.push_back({grid_.cell_at(i), held});
+    const LineVote vote{grid_.cell_at(i), votes_[static_cast<std::size_t>(i)]};
+    if (vote.value >= params_.peak_threshold * highest && is_local_maximum(grid_, vote, votes_of))
+      candidates_.push_back(vote);
   }
   PeakParams peaks;
   peaks.theta_radius = params_.reach;

@@ -38,7 +38,6 @@ class FphtInitiator : public HoughInitiator {
  private:
   void vote(const PlotWindow& window);
   void vote_scan(const PlotWindow& window, int scan);
-  bool is_local_maximum(std::int64_t index) const;
   void declare(const PlotWindow& window);
   double membership(const LineCell& cell, const Eigen::Vector2d& position) const;
 

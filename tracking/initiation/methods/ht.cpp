@@ -47,7 +47,7 @@ void HtInitiator::collect_candidates() {
     candidates_.clear();
     votes_.collect(grid_, least, kMaxCandidates, candidates_);
   } while (candidates_.size() >= kMaxCandidates && ++least <= most);
-  std::erase_if(candidates_, [&](const LineVote& c) { return !votes_.is_local_maximum(grid_, c.cell); });
+  std::erase_if(candidates_, [&](const LineVote& c) { return !votes_.is_local_maximum(grid_, c); });
 }
 
 void HtInitiator::declare(const PlotWindow& window) {

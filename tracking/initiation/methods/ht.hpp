@@ -6,6 +6,7 @@
 #include "tracking/initiation/initiator.hpp"
 #include "tracking/initiation/initiator_config.hpp"
 #include "tracking/initiation/lines/dense_accumulator.hpp"
+#include "tracking/initiation/lines/line_track.hpp"
 #include "tracking/initiation/lines/line_voting.hpp"
 
 namespace lookout::tracking {
@@ -37,12 +38,7 @@ class HtInitiator : public HoughInitiator {
   StartedTracks started_;
 };
 
-/// What it uses of the `initiator:` part of a configuration.
-inline constexpr std::initializer_list<const char*> kHtKeys{
-    "rho_step",  "theta_step_deg", "rho_tolerance", "theta_tolerance_deg", "peak_threshold",
-    "min_plots", "max_tracks",     "window_scans",  "acceleration_sigma"};
-
-/// Keys: those of LineVotingParams. No variants.
+/// Keys: kLineVotingKeys. No variants.
 std::unique_ptr<Initiator> make_ht(const InitiatorConfig& config);
 
 }  // namespace lookout::tracking

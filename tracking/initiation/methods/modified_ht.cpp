@@ -13,7 +13,7 @@ namespace lookout::tracking {
 ModifiedHtInitiator::ModifiedHtInitiator(const ModifiedHtParams& params) : params_(params) {
   params.speeds.validate();
   params.motion.validate();
-  core::require(params.margin >= 0.0, "gate_margin must be >= 0", params.margin);
+  core::require_not_negative("gate_margin", params.margin);
   core::require(params.max_triples >= 1, "max_triples must be >= 1", static_cast<double>(params.max_triples));
   core::require(params.max_angle > 0.0 && params.max_angle <= std::numbers::pi,
                 "max_angle must be in (0, pi]", params.max_angle);

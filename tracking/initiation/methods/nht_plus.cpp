@@ -58,10 +58,8 @@ NhtPlusInitiator::NhtPlusInitiator(const NhtPlusParams& params)
   core::require_positive("rho_cells_per_sigma", params.rho_cells_per_sigma);
   core::require_positive("speed_bin_sigmas", params.speed_bin_sigmas);
   core::require(params.window_scans >= 2, "window_scans must be >= 2", params.window_scans);
-  core::require(params.peak_threshold > 0.0 && params.peak_threshold <= 1.0,
-                "peak_threshold must be in (0, 1]", params.peak_threshold);
-  core::require(params.chain_probability > 0.0 && params.chain_probability < 1.0,
-                "chain_probability must be in (0, 1)", params.chain_probability);
+  core::require_share("peak_threshold", params.peak_threshold);
+  core::require_inner_share("chain_probability", params.chain_probability);
   core::require(params.max_tracks >= 1, "max_tracks must be >= 1", params.max_tracks);
   if (params.motion.acceleration_sigma == 0.0) params_.acceleration_factor = 1.0;
 }

@@ -10,49 +10,21 @@
 namespace lookout::tracking {
 
 NhtTiInitiator::NhtTiInitiator(const NhtTiParams& params)
-    : params_(params), formation_(params.speeds, kMaxPairs, params.lines.gate_margin), grid_(1, 1, 1.0) {
-  params.lines.validate();
+    : PairVotingInitiator(params.lines, params.speeds, kMaxPairs), params_(params) {
   core::require_not_negative("false_degree_factor", params.false_degree_factor);
   core::require_not_negative("least_vote", params.least_vote);
-  core::require(params.false_alarm_probability >= 0.0 && params.false_alarm_probability < 1.0,
-                "false_alarm_probability must be in [0, 1)", params.false_alarm_probability);
-}
-
-const StartedTracks& NhtTiInitiator::start(const PlotWindow& window) {
-  started_.clear();
-  grid_ = grid_over(window, params_.lines);
-  if (!vote(window)) return started_;
-  sort_by_theta(voters_);
-  declare_tracks(window, {grid_, votes_, voters_}, params_.lines, candidates_, builder_, started_);
-  return started_;
-}
-
-bool NhtTiInitiator::vote(const PlotWindow& window) {
-  votes_.clear();
-  voters_.clear();
-  kernels_.clear();
-  formation_.restart();
-  for (int scan = 1; scan < window.num_scans(); ++scan) {
-    const auto& step = formation_.form(window, scan, Eigen::Vector2d::Zero());
-    if (formation_.exceeded()) {
-      started_.refusal = formation_.refusal();
-      return false;
-    }
-    take_step(step);
-  }
-  return true;
+  core::require_share_below_one("false_alarm_probability", params.false_alarm_probability);
 }
 
 void NhtTiInitiator::take_step(const std::vector<PairPoint>& step) {
-  for (const PairPoint& pair : step) {
-    const double weight = degree_of(pair);
-    if (weight < params_.least_vote) continue;
-    voters_.push_back(pair);
-    voters_.back().weight = weight;
+  for (PairPoint pair : step) {
+    pair.weight = degree_of(pair);
+    if (pair.weight < params_.least_vote) continue;
+    note_voter(pair);
     if (params_.vote == NhtVote::cell)
-      votes_.add(grid_.index(grid_.cell_of(pair.line)), weight);
+      vote(grid_.cell_of(pair.line), pair.weight);
     else
-      spread_vote(pair.line, weight);
+      spread_vote(pair.line, pair.weight);
   }
   kernels_ = step;
   sort_by_theta(kernels_);
@@ -99,16 +71,11 @@ void NhtTiInitiator::spread_vote(const NormalLine& line, double weight) {
     row_membership_.push_back(membership({grid_.centre({own.theta, own.rho + j}).rho - line.rho, 0.0}));
   for (int i = -columns; i <= columns; ++i) {
     const double column_weight = weight * membership({0.0, grid_.theta_of(own.theta + i) - line.theta});
-    for (int j = -rows; j <= rows; ++j) {
-      const LineCell cell = grid_.wrapped({own.theta + i, own.rho + j});
-      if (grid_.contains(cell))
-        votes_.add(grid_.index(cell), column_weight * row_membership_[static_cast<std::size_t>(j + rows)]);
+    for (int row = 0; row <= 2 * rows; ++row) {
+      const LineCell cell = grid_.wrapped({own.theta + i, own.rho - rows + row});
+      if (grid_.contains(cell)) vote(cell, column_weight * row_membership_[static_cast<std::size_t>(row)]);
     }
   }
-}
-
-void NhtTiInitiator::append_cells(std::vector<LineVote>& cells) const {
-  append_votes(grid_, votes_, cells);
 }
 
 std::unique_ptr<Initiator> make_nht_ti(const InitiatorConfig& config) {

@@ -4,10 +4,7 @@
 
 #include <memory>
 
-#include "tracking/initiation/initiator.hpp"
-#include "tracking/initiation/initiator_config.hpp"
-#include "tracking/initiation/lines/line_voting.hpp"
-#include "tracking/initiation/lines/pair_points.hpp"
+#include "tracking/initiation/methods/mht_ti.hpp"
 
 namespace lookout::tracking {
 
@@ -33,36 +30,24 @@ struct NhtTiParams {
 /// with it: the largest of its degrees of true, uncertain and false association. Cost: pairs x (pairs of the
 /// step before with nearly the same theta + cells of the neighbourhood). Refuses windows of more than
 /// `kMaxPairs` pairs.
-class NhtTiInitiator : public HoughInitiator {
+class NhtTiInitiator : public PairVotingInitiator {
  public:
   static constexpr std::int64_t kMaxPairs = 200'000;  ///< About a second.
 
   /// @throws std::invalid_argument on a value out of range.
   explicit NhtTiInitiator(const NhtTiParams& params);
 
-  const StartedTracks& start(const PlotWindow& window) override;
-  int window_scans() const override { return params_.lines.window_scans; }
-  const LineGrid& grid() const override { return grid_; }
-  void append_cells(std::vector<LineVote>& cells) const override;
-
  private:
-  bool vote(const PlotWindow& window);
-  void take_step(const std::vector<PairPoint>& step);
+  void begin_window() override { kernels_.clear(); }
+  void take_step(const std::vector<PairPoint>& step) override;
   double degree_of(const PairPoint& pair);
   void spread_vote(const NormalLine& line, double weight);
   double membership(const NormalLine& apart) const;
 
   NhtTiParams params_;
-  PairFormation formation_;
-  LineGrid grid_;
-  SparseAccumulator votes_;
   std::vector<PairPoint> kernels_;     ///< Pairs of the step before, by rising theta.
   std::vector<NormalLine> competing_;  ///< Kernels around the pair at hand, relative to it.
-  std::vector<PairPoint> voters_;
   std::vector<double> row_membership_;
-  std::vector<LineVote> candidates_;
-  LineTrackBuilder builder_;
-  StartedTracks started_;
 };
 
 /// What it uses of the `initiator:` part of a configuration.

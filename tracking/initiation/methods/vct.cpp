@@ -47,10 +47,8 @@ void VctParams::validate() const {
   core::require(window_scans >= 3, "window_scans must be >= 3", window_scans);
   core::require(min_plots >= 3 && min_plots <= window_scans, "min_plots must be in 3 .. window_scans",
                 min_plots);
-  core::require(gate_probability > 0.0 && gate_probability < 1.0, "gate_probability must be in (0, 1)",
-                gate_probability);
-  core::require(chain_probability > 0.0 && chain_probability < 1.0, "chain_probability must be in (0, 1)",
-                chain_probability);
+  core::require_inner_share("gate_probability", gate_probability);
+  core::require_inner_share("chain_probability", chain_probability);
   core::require_not_negative("margin_sigmas", margin_sigmas);
   if (clutter_per_area) core::require_positive("clutter_per_area", *clutter_per_area);
   core::require(max_false_tracks > 0.0, "max_false_tracks must be > 0", max_false_tracks);

@@ -11,7 +11,7 @@ namespace lookout::tracking {
 void GateLogicParams::validate() const {
   speeds.validate();
   motion.validate();
-  core::require(margin >= 0.0, "margin must be >= 0", margin);
+  core::require_not_negative("margin", margin);
   core::require_not_negative("max_acceleration", max_acceleration);
   core::require(gate > 0.0, "gate must be > 0", gate);
   core::require(turn_rate > 0.0, "turn_rate must be > 0", turn_rate);

@@ -7,7 +7,7 @@
 namespace lookout::tracking {
 
 void SpeedLimits::validate() const {
-  core::require(min >= 0.0, "min_speed must be >= 0", min);
+  core::require_not_negative("min_speed", min);
   core::require(max > min, "max_speed must be > min_speed", max);
 }
 

@@ -28,6 +28,8 @@ TEST(RivalScene, BirthsAreWeighedAgainstClutter) {
   const double area = 0.5 * core::radians(90.0) * 150.0 * 150.0;
   const double clutter = 0.2 / (150.0 * core::radians(1.0) * 60.0);
   EXPECT_NEAR(scene.birth_ratio(scene.view().returns()[0]), 3.0 / area * 0.6 / clutter, 1e-9);
+  const double ratio = scene.birth_ratio(scene.view().returns()[0]);
+  EXPECT_DOUBLE_EQ(scene.birth_existence(scene.view().returns()[0], 0.5), 0.5 * ratio / (1.0 + ratio));
   scene.finish({});
   scene.look(scan_of(1, {{60.0, 0.0}}));
   EXPECT_NEAR(scene.birth_ratio(scene.view().returns()[0]), 0.4 * 3.0 / area * 0.6 / clutter, 1e-9);

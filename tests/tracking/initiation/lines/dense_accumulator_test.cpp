@@ -16,7 +16,7 @@ TEST(DenseAccumulator, PointsOfALineMeetInOneCell) {
   EXPECT_EQ(votes.votes(grid, grid.cell_of({7.2, 1.5708})), 3);
   std::vector<LineVote> found;
   votes.collect(grid, 3, 100, found);
-  EXPECT_TRUE(votes.is_local_maximum(grid, found.front().cell));
+  EXPECT_TRUE(votes.is_local_maximum(grid, found.front()));
   for (const LineVote& peak : found) EXPECT_NEAR(grid.centre(peak.cell).theta, 1.5708, 0.08);
 }
 

@@ -1,4 +1,4 @@
-#include "tools/cli/log_recording.hpp"
+#include "tools/cli/logs/log_recording.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include "core/input_error.hpp"
 #include "tests/lcmtypes/example_messages.hpp"
 #include "tests/support/temporary_directory.hpp"
-#include "tools/cli/replay_log.hpp"
+#include "tools/cli/logs/replay_log.hpp"
 
 namespace lookout::tools {
 namespace {

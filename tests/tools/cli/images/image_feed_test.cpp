@@ -1,4 +1,4 @@
-#include "tools/cli/image_feed.hpp"
+#include "tools/cli/images/image_feed.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/cli/replay_log.hpp"
+#include "tools/cli/logs/replay_log.hpp"
 
 #include <gtest/gtest.h>
 

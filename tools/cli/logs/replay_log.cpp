@@ -1,4 +1,4 @@
-#include "tools/cli/replay_log.hpp"
+#include "tools/cli/logs/replay_log.hpp"
 
 #include <algorithm>
 #include <functional>
@@ -8,7 +8,7 @@
 #include "lcmtypes/channels.hpp"
 #include "lcmtypes/inbox.hpp"
 #include "lcmtypes/log_reader.hpp"
-#include "tools/cli/image_keeper.hpp"
+#include "tools/cli/images/image_keeper.hpp"
 #include "tools/cli/recorder.hpp"
 
 namespace lookout::tools {

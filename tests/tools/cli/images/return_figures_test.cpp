@@ -1,4 +1,4 @@
-#include "tools/cli/return_figures.hpp"
+#include "tools/cli/images/return_figures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/cli/log_tables.hpp"
+#include "tools/cli/logs/log_tables.hpp"
 
 #include <vector>
 

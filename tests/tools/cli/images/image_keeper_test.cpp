@@ -1,4 +1,4 @@
-#include "tools/cli/image_keeper.hpp"
+#include "tools/cli/images/image_keeper.hpp"
 
 #include <gtest/gtest.h>
 

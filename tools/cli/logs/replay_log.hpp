@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "lcmtypes/inbox.hpp"
-#include "tools/cli/found_returns.hpp"
-#include "tools/cli/log_survey.hpp"
+#include "tools/cli/images/found_returns.hpp"
+#include "tools/cli/logs/log_survey.hpp"
 #include "tools/cli/tracked_run.hpp"
 #include "tracking/intake/stamp_clock.hpp"
 

@@ -1,4 +1,4 @@
-#include "tools/cli/found_returns.hpp"
+#include "tools/cli/images/found_returns.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "tools/cli/log_recording.hpp"
+#include "tools/cli/logs/log_recording.hpp"
 
 #include "core/files/time_text.hpp"
 #include "core/input_error.hpp"

@@ -1,4 +1,4 @@
-#include "tools/cli/log_survey.hpp"
+#include "tools/cli/logs/log_survey.hpp"
 
 #include <gtest/gtest.h>
 
