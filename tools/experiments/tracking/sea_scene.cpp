@@ -10,9 +10,9 @@
 namespace lookout::tools {
 namespace {
 
-constexpr std::array kConditions{"uniform",      "spill",        "patch", "bottom",      "rocks",
-                                 "wall",         "dropout",      "burst", "heavy_tails", "range_loss",
-                                 "heading_bias", "heading_walk", "all"};
+constexpr std::array kConditions{"uniform",    "spill",        "patch",        "bottom", "rocks",
+                                 "wall",       "quay",         "dropout",      "burst",  "heavy_tails",
+                                 "range_loss", "heading_bias", "heading_walk", "all"};
 constexpr std::array kAppear{0.0, 0.0, 10.0, 20.0};   // s
 constexpr double kNearest = 40.0, kFarthest = 150.0;  // m
 constexpr double kSlowest = 0.8, kFastest = 1.3;      // m/s
