@@ -14,9 +14,11 @@ namespace {
 
 using lcmtypes::NodeLoop;
 
+/// A terminal keeps one screen, renewed; anything else gets one text below the other, reasons in full.
 void print(const Heard& heard, bool on_terminal) {
   constexpr const char* kHomeAndClear = "\x1b[H\x1b[2J";
-  std::cout << (on_terminal ? kHomeAndClear : "") << status_text(heard, NodeLoop::Clock::now())
+  const Reasons shown = on_terminal ? Reasons::cut : Reasons::whole;
+  std::cout << (on_terminal ? kHomeAndClear : "") << status_text(heard, NodeLoop::Clock::now(), shown)
             << (on_terminal ? "" : "\n") << std::flush;
 }
 

@@ -32,13 +32,21 @@ std::string age_text(const std::optional<double>& age) {
   return text.data();
 }
 
-void add_health(std::string& text, const Heard& heard, Heard::Clock::time_point now) {
-  const auto reasons = complaints(heard, now);
-  add_line(text, "lookout status: %s", reasons.empty() ? "HEALTHY" : "NOT HEALTHY");
+void add_whole(std::string& text, const std::vector<std::string>& reasons) {
+  for (const std::string& reason : reasons) text.append("  ! ").append(reason).append("\n");
+}
+
+void add_cut(std::string& text, const std::vector<std::string>& reasons) {
   // "and 1 more" would take the line of the one that it leaves out.
   const std::size_t shown = reasons.size() <= kMostComplaints + 1 ? reasons.size() : kMostComplaints;
   for (std::size_t i = 0; i < shown; ++i) add_line(text, "  ! %s", reasons[i].c_str());
   if (reasons.size() > shown) add_line(text, "  ! and %zu more", reasons.size() - shown);
+}
+
+void add_health(std::string& text, const Heard& heard, Heard::Clock::time_point now, Reasons shown) {
+  const auto reasons = complaints(heard, now);
+  add_line(text, "lookout status: %s", reasons.empty() ? "HEALTHY" : "NOT HEALTHY");
+  shown == Reasons::whole ? add_whole(text, reasons) : add_cut(text, reasons);
 }
 
 void add_channels(std::string& text, const Heard& heard, Heard::Clock::time_point now) {
@@ -113,9 +121,9 @@ void add_ospa(std::string& text, const Newest& newest) {
 
 }  // namespace
 
-std::string status_text(const Heard& heard, Heard::Clock::time_point now) {
+std::string status_text(const Heard& heard, Heard::Clock::time_point now, Reasons shown) {
   std::string text;
-  add_health(text, heard, now);
+  add_health(text, heard, now, shown);
   add_channels(text, heard, now);
   add_nodes(text, heard);
   add_sensor(text, heard.newest());

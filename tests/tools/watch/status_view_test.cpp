@@ -45,6 +45,22 @@ TEST(StatusText, WhereNothingIsHeardEveryReasonIsShown) {
   EXPECT_FALSE(has(text, "more\n")) << text;
 }
 
+TEST(StatusText, PrintedOnceSaysEveryReasonInFull) {
+  Heard heard("");
+  for (int id = 1; id <= 6; ++id) {  // More than a screen shows.
+    node_status_t status = tracker_status();
+    status.node_id = id;
+    status.last_error = "degraded: " + std::string(100, 'x') + " end";
+    say(heard, "LOOKOUT_STATUS", status);
+  }
+  const std::string text = status_text(heard, at_second(5.1), Reasons::whole);
+  for (int id = 1; id <= 6; ++id) {
+    const std::string reason = "  ! lookout track " + std::to_string(id) + ": degraded: ";
+    EXPECT_TRUE(has(text, reason + std::string(100, 'x') + " end\n")) << text;
+  }
+  EXPECT_FALSE(has(text, "  ! and ")) << text;
+}
+
 TEST(StatusText, FitsOneScreenWhateverCame) {
   Heard heard("A_prefix_of_30_characters_long");
   std::vector<core::Track> tracks(300, tests::example_track(1));

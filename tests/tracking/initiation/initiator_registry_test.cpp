@@ -76,11 +76,12 @@ std::unique_ptr<Initiator> make_idle(const InitiatorConfig&) {
 }
 
 TEST(RegisterInitiator, RefusesATakenNameABadOneAndNothing) {
+  const std::size_t before = initiator_names().size();
   EXPECT_THROW(register_initiator("vct", &make_idle), std::invalid_argument);
   EXPECT_THROW(register_initiator("joint", &make_idle), std::invalid_argument);  // a tracker's own births
   EXPECT_THROW(register_initiator("a-b", &make_idle), std::invalid_argument);
   EXPECT_THROW(register_initiator("none", nullptr), std::invalid_argument);
-  EXPECT_EQ(initiator_names().size(), 11u);
+  EXPECT_EQ(initiator_names().size(), before);
 }
 
 // The last test here: what is registered stays.
