@@ -29,6 +29,12 @@ int report(const std::string& message, int status) {
   return status;
 }
 
+/// The status, where all that was said got out.
+int flushed(int status) {
+  std::cout.flush();
+  return std::cout ? status : report("standard output: could not be written", kFailure);
+}
+
 /// A flag's text that is no number, where the library says `Could not convert: --order = abc`.
 std::string not_a_number(std::string message) {
   constexpr std::string_view kBegin = "Could not convert: ", kBetween = " = ";
@@ -52,20 +58,14 @@ int run(int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
-  } catch (const CLI::CallForHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::CallForAllHelp& help) {
-    return app.exit(help);
-  } catch (const CLI::CallForVersion& version) {
-    return app.exit(version);
+  } catch (const CLI::Success& asked) {  // For help, or the version.
+    return flushed(app.exit(asked));
   } catch (const CLI::ConversionError& error) {
     return report(not_a_number(error.what()), kBadInput);
   } catch (const CLI::ParseError& error) {
     return report(error.what(), kBadInput);
   }
-  const int status = chosen->run(options);
-  std::cout.flush();
-  return std::cout ? status : report("standard output: could not be written", kFailure);
+  return flushed(chosen->run(options));
 }
 
 }  // namespace

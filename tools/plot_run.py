@@ -4,8 +4,10 @@
 Usage: plot_run.py DIRECTORY|FILE.csv [--scores FILE.csv] [--title TEXT] FILE.png|FILE.pdf|FILE.gif ...
 
 Reads what there is of scans.csv, vehicle.csv, truth.csv, tracks.csv, ospa.csv and sonar.yaml, and leaves out of the
-picture what is missing; one file alone is returns, tracks or scores, by its columns. A GIF is the map over time. Exit status 2 with one line where nothing can be drawn.
+picture what is missing; one file alone is returns, tracks or scores, by its columns. A GIF is the map over time. Exit status 2 with one line where nothing can be
+drawn, 1 where the disk is full.
 """
+import errno
 import pathlib
 import sys
 
@@ -17,8 +19,8 @@ try:
     import numpy as np
 except ImportError as error:
     sys.exit(f"plot_run.py: {error}; install python3-numpy and python3-matplotlib")
-from plot_run_map import COLOURS, animate, draw_map
-from plot_run_tables import Run, by_id
+from plot_run_map import COLOURS, MOST_TRACKS, animate, draw_map
+from plot_run_tables import Run, by_id, longest
 
 DOTS_PER_INCH = 110  # Of a picture.
 
@@ -58,7 +60,7 @@ def draw_counts(axes, run):
 
 def draw_existence(axes, run):
     tracks = run.tracks
-    for number, (identity, rows) in enumerate(by_id(tracks, tracks.sure())):
+    for number, (identity, rows) in enumerate(longest(by_id(tracks, tracks.sure()), MOST_TRACKS)[0]):
         colour = COLOURS[number % len(COLOURS)]
         axes.plot(tracks["time_s"][rows], tracks["existence"][rows], ".-", color=colour, markersize=2, linewidth=0.8)
         axes.annotate(str(identity), (tracks["time_s"][rows[-1]], tracks["existence"][rows[-1]]), color=colour, fontsize=7)
@@ -110,6 +112,25 @@ def arguments(words):
     return pathlib.Path(plain[0]), given["--scores"], given["--title"] or plain[0], files
 
 
+def write_whole(path, write):
+    """Writes a picture beside its place and moves it there: a full disk leaves no part of one."""
+    part = path.with_name(f".{path.stem}.part{path.suffix}")
+    try:
+        write(part)
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def write_picture(run, title, path):
+    if path.suffix == ".gif":
+        return write_whole(path, lambda part: animate(run, part))
+    figure = picture(run, title)
+    write_whole(path, lambda part: figure.savefig(part, dpi=DOTS_PER_INCH, bbox_inches="tight"))
+    plt.close(figure)
+    return None
+
+
 def main():
     directory, scores, title, files = arguments(sys.argv[1:])
     run = Run(directory, pathlib.Path(scores) if scores else None)
@@ -118,15 +139,10 @@ def main():
         return 2
     try:
         for path in files:
-            if path.suffix == ".gif":
-                animate(run, path)
-            else:
-                figure = picture(run, title)
-                figure.savefig(path, dpi=DOTS_PER_INCH, bbox_inches="tight")
-                plt.close(figure)
+            write_picture(run, title, path)
     except OSError as error:
         print(f"plot_run.py: {error}", file=sys.stderr)
-        return 2
+        return 1 if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO) else 2
     return 0
 
 

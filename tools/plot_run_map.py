@@ -4,7 +4,7 @@ import math
 import matplotlib.pyplot as plt
 import numpy as np
 
-from plot_run_tables import by_id, warn
+from plot_run_tables import by_id, longest, warn
 
 MARKERS = {"confirmed": "o", "tentative": "^", "coasting": "s"}
 COLOURS = plt.get_cmap("tab10").colors
@@ -12,6 +12,7 @@ COVARIANCE = ("covariance_nn_m2", "covariance_ne_m2", "covariance_ee_m2")
 CHI_SQUARE_95 = -2.0 * math.log(0.05)  # Of two degrees of freedom.
 MOST_RETURNS = 60_000   # Points on a map; of more, an even choice.
 MOST_ELLIPSES = 12      # A track.
+MOST_TRACKS = 200       # With a number and a colour of their own: the longest; each takes milliseconds.
 MOST_FRAMES = 150       # Of an animation.
 TRAIL_S = 30.0
 FADE_S = 8.0
@@ -96,8 +97,12 @@ def draw_map(axes, run):
     if run.vehicle.has("north_m", "east_m"):
         axes.plot(run.vehicle["east_m"], run.vehicle["north_m"], "k-", linewidth=1.5, label="vehicle", zorder=3)
     draw_truth(axes, run)
-    for number, (identity, rows) in enumerate(by_id(run.tracks, run.tracks.sure())):
+    tracks, others = longest(by_id(run.tracks, run.tracks.sure()), MOST_TRACKS)
+    for number, (identity, rows) in enumerate(tracks):
         draw_track(axes, run, number, identity, rows)
+    if len(others):
+        axes.plot(run.tracks["east_m"][others], run.tracks["north_m"][others], ".", color="tab:olive", markersize=2, zorder=3,
+                  label=f"shorter tracks than the {MOST_TRACKS} longest")
     draw_nameless(axes, run.truth, "0.2")
     draw_nameless(axes, run.tracks, "tab:green")
     axes.set_aspect("equal", adjustable="datalim")
@@ -121,7 +126,7 @@ def draw_moment(axes, run, time):
         axes.plot(run.truth["east_m"][now], run.truth["north_m"][now], "x", color="m", markersize=9)
     tracks = run.tracks
     then = (tracks["time_s"] <= time + 1e-6) & (tracks["time_s"] > time - TRAIL_S) & tracks.sure()
-    for number, (identity, rows) in enumerate(by_id(tracks, tracks.sure())):
+    for number, (identity, rows) in enumerate(longest(by_id(tracks, tracks.sure()), MOST_TRACKS)[0]):
         rows = rows[then[rows]]
         if len(rows) and abs(tracks["time_s"][rows[-1]] - time) < FADE_S / 2:
             draw_track(axes, run, number, identity, rows)

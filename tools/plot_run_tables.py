@@ -6,6 +6,7 @@ import sys
 
 import numpy as np
 
+LARGEST = 1e100  # Of what can be drawn: matplotlib squares it.
 KNOWN = {"time_s", "north_m", "east_m", "bearing_rad", "bearing_deg", "range_m", "x_px", "total"}  # Names of a header.
 
 
@@ -14,10 +15,12 @@ def warn(line):
 
 
 def to_float(text):
+    """A number that can be drawn, else nan."""
     try:
-        return float(text.replace("\u2212", "-"))
+        value = float(text.replace("\u2212", "-"))
     except ValueError:
         return math.nan
+    return value if abs(value) < LARGEST else math.nan
 
 
 def names_of(line):
@@ -181,7 +184,21 @@ class Run:
 def by_id(table, keep=None):
     """(id, rows) of each id, in order."""
     keep = np.ones(len(table), dtype=bool) if keep is None else keep
-    keep = keep & np.isfinite(table["north_m"]) & np.isfinite(table["east_m"])
     identity = table["id"]
-    for value in np.unique(identity[keep & np.isfinite(identity)]):
-        yield int(value), np.flatnonzero(keep & (identity == value))
+    kept = np.flatnonzero(keep & np.isfinite(table["north_m"]) & np.isfinite(table["east_m"]) & np.isfinite(identity))
+    kept = kept[np.argsort(identity[kept], kind="stable")]
+    for rows in np.split(kept, np.flatnonzero(np.diff(identity[kept])) + 1):
+        if len(rows):
+            yield int(identity[rows[0]]), rows
+
+
+def longest(groups, most):
+    """The `most` of (id, rows) that have the most rows, in order, and the rows of all others."""
+    groups = list(groups)
+    length = sorted((len(rows) for _, rows in groups), reverse=True)[most - 1] if len(groups) > most else 0
+    longer = [group for group in groups if len(group[1]) > length]
+    equal = [group for group in groups if len(group[1]) == length][:most - len(longer)]
+    chosen = sorted(longer + equal, key=lambda group: group[0])
+    names = {identity for identity, _ in chosen}
+    others = [rows for identity, rows in groups if identity not in names]
+    return chosen, np.concatenate(others) if others else np.array([], dtype=int)

@@ -123,6 +123,10 @@ TEST(Words, OutputReplacesNoDeviceAndAFullDiskIsStatusOne) {
   const int status = std::system(
       (std::string(LOOKOUT_PROGRAM) + " ospa " + truth + " " + truth + " >/dev/full 2>/dev/null").c_str());
   EXPECT_EQ(WEXITSTATUS(status), 1);
+  for (const std::string flag : {" --help", " --version", " run --help"}) {
+    const int said = std::system((LOOKOUT_PROGRAM + flag + " >/dev/full 2>/dev/null").c_str());
+    EXPECT_EQ(WEXITSTATUS(said), 1) << flag;
+  }
 }
 
 }  // namespace

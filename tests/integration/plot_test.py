@@ -136,6 +136,28 @@ def check_alone(module, folder):
     check(draw(module, folder / "none.csv", folder / "none.png") == 2, "a CSV that says nothing of ours is told")
 
 
+def check_many(module, folder):
+    """Thousands of identities take seconds, not minutes; what no picture can show is left out without a word of matplotlib's."""
+    rows = [f"{k // 10},{k},{k % 777},{k % 333}" for k in range(3000)] + [f"{k},7000,{k},{k}" for k in range(20)]
+    (folder / "many.csv").write_text("\n".join(["time_s,id,north_m,east_m", "0,1,1e308,-1e308", *rows]) + "\n")
+    tables = importlib.import_module("plot_run_tables")
+    table = tables.Run(folder / "many.csv", None).tracks
+    groups = list(tables.by_id(table))
+    check(len(groups) == 3001 and sum(len(rows) for _, rows in groups) == 3020, "each identity has its rows")
+    chosen, others = tables.longest(groups, 200)
+    check(len(chosen) == 200 and chosen[-1][0] == 7000 and len(others) == 3020 - 199 - 20, "the longest are told apart")
+    result = lookout("plot", folder / "many.csv", "--out", folder / "many.png")
+    check(result.returncode == 0 and result.stderr.count("\n") == 1, f"in one line: {result.stderr.strip()}")
+
+
+def check_full_disk(folder):
+    """Where no byte can be written: status 1, nothing left behind."""
+    (folder / "few.csv").write_text("time_s,id,north_m,east_m\n0,1,1,2\n")
+    limited = f"ulimit -f 1; trap '' XFSZ; exec '{LOOKOUT}' plot '{folder}/few.csv' --out '{folder}/cut.png'"
+    result = subprocess.run(["bash", "-c", limited], capture_output=True, text=True, check=False)
+    check(result.returncode != 0 and not list(folder.glob("*cut*")), f"no part of a picture stays: {result.stderr.strip()}")
+
+
 def check_without_matplotlib(run, folder):
     """A Python that has no matplotlib: one clear line."""
     (folder / "bare").mkdir()
@@ -166,6 +188,8 @@ def main():
         check_parts(module, run, folder)
         check_oddities(module, folder)
         check_alone(module, folder)
+        check_many(module, folder)
+        check_full_disk(folder)
         check_without_matplotlib(run, folder)
     finally:
         shutil.rmtree(folder, ignore_errors=True)

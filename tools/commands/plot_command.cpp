@@ -96,8 +96,8 @@ bool is_table(const std::string& input) {
 
 void require_input(const std::string& input, const Options& options) {
   if (!fs::is_directory(input) && !fs::is_regular_file(input))
-    throw core::InputError(
-        input + ": is not there; expected a directory of recordings or tracks, a CSV file, or an LCM log");
+    throw core::InputError(input + (fs::exists(input) ? ": is a pipe or a device" : ": is not there") +
+                           "; expected a directory of recordings or tracks, a CSV file, or an LCM log");
   if (!options.channel_prefix.empty() && (fs::is_directory(input) || is_table(input)))
     throw core::InputError("--channel-prefix: chooses channels of an LCM log, which " + input + " is not");
 }

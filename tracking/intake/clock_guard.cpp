@@ -58,7 +58,11 @@ ClockGuard::Verdict ClockGuard::judge(std::int64_t utime) {
 
 ClockGuard::Verdict ClockGuard::suspect(std::int64_t utime) {
   watch_slow_pace(utime);
-  num_suspects_ = num_suspects_ > 0 && follows(newest_suspect_, utime) ? num_suspects_ + 1 : 1;
+  // Suspects ahead that agree, and a leap farther ahead: a stream with long pauses, and too few times
+  // between.
+  const bool is_ahead = num_suspects_ >= kResumedAfter && newest_suspect_ > *last_ && utime > newest_suspect_;
+  const bool goes_on = is_ahead || (num_suspects_ > 0 && follows(newest_suspect_, utime));
+  num_suspects_ = goes_on ? num_suspects_ + 1 : 1;
   const std::int64_t before = newest_suspect_;
   newest_suspect_ = utime;
   const bool same_clock = follows(*last_, utime) && num_suspects_ >= kResumedAfter && follows(*last_, before);

@@ -1,38 +1,56 @@
 #include "tracking/intake/pace_finder.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <span>
 
 #include "core/frames.hpp"
 
 namespace lookout::tracking {
 
-void PaceFinder::add_step(Stream& stream, const Ping& ping) {
-  const std::int64_t numbers = ping.sequence - stream.last.sequence;
-  const std::int64_t step = ping.utime - stream.last.utime;
-  stream.last = ping;
-  if (numbers < 0 || numbers > kMostLost || step <= 0) {
-    stream.count = 0;
-    return;
-  }
-  stream.steps[stream.count++ % kSteps] =
-      core::seconds(step) / static_cast<double>(std::max<std::int64_t>(numbers, 1));
+std::optional<double> PaceFinder::middle(const Stream& stream) {
+  const std::size_t count = std::min(stream.count, kSteps);
+  if (count < kFewest) return std::nullopt;
+  const auto steps = std::span(stream.steps).first(count);
+  std::int64_t stride = std::numeric_limits<std::int64_t>::max();  // What the driver counts a ping as.
+  for (const Step& step : steps)
+    if (step.numbers > 0) stride = std::min(stride, step.numbers);
+  std::array<double, kSteps> seconds;
+  std::transform(steps.begin(), steps.end(), seconds.begin(), [stride](const Step& step) {
+    const std::int64_t pings = step.numbers / stride;
+    return pings < 1 || pings > kMostLost ? step.seconds : step.seconds / static_cast<double>(pings);
+  });
+  // Of an even number the longer: no mean of two paces, and who waits too long loses less than who does not.
+  const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(count / 2);
+  std::nth_element(seconds.begin(), middle, seconds.begin() + static_cast<std::ptrdiff_t>(count));
+  return *middle;
+}
+
+/// A sensor that is silent while another makes so many steps is slower, or off: it says nothing of the
+/// fastest.
+void PaceFinder::forget_slower_than(double step, std::int64_t utime) {
+  std::erase_if(streams_, [step, utime](const auto& other) {
+    return core::seconds(utime - other.second.last.utime) > static_cast<double>(kFewest) * step;
+  });
 }
 
 std::optional<double> PaceFinder::pace() const {
   std::optional<double> fastest;
   for (const auto& [id, stream] : streams_) {
-    if (stream.count < kSteps) return std::nullopt;  // One that is yet unknown may be the fastest.
-    auto steps = stream.steps;
-    std::sort(steps.begin(), steps.end());
-    const double middle = steps[(kSteps - 1) / 2];  // Of an even number the shorter: no mean of two paces.
-    fastest = fastest ? std::min(*fastest, middle) : middle;
+    const auto step = middle(stream);
+    if (!step) return std::nullopt;  // One that is yet unknown may be the fastest.
+    fastest = fastest ? std::min(*fastest, *step) : step;
   }
   return fastest;
 }
 
 std::optional<double> PaceFinder::learn(const Ping& ping) {
-  const auto [found, is_new] = streams_.try_emplace(ping.sensor_id, Stream{ping, {}, 0});
-  if (!is_new) add_step(found->second, ping);
+  const auto found = streams_.try_emplace(ping.sensor_id, Stream{ping, {}, 0}).first;
+  Stream& stream = found->second;
+  const double step = core::seconds(ping.utime - stream.last.utime);
+  if (step > 0.0) stream.steps[stream.count++ % kSteps] = {step, ping.sequence - stream.last.sequence};
+  stream.last = ping;
+  if (const auto own = middle(stream)) forget_slower_than(*own, ping.utime);
   const auto pace = this->pace();
   if (!pace) return std::nullopt;
   const double period = std::max(configured_, *pace);

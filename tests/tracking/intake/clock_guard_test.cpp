@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace lookout::tracking {
@@ -116,6 +117,27 @@ TEST(ClockGuard, SuspectsThatDoNotFollowOneAnotherNeverMakeAClock) {
   ClockGuard guard;
   guard.judge(100 * kHour);
   for (int i = 0; i < 20; ++i) EXPECT_EQ(guard.judge((50 - i) * kHour), Verdict::suspect);
+}
+
+// A sonar that pings four times every two minutes was heard in its first four, and never again.
+TEST(ClockGuard, BelievesAStreamWhosePausesAreLongAndWhoseTimesBetweenAreFew) {
+  for (const int burst : {2, 3, 4}) {
+    ClockGuard guard;
+    int suspects = 0, longest = 0;
+    for (int k = 0; k < 20 * burst; ++k) {
+      const std::int64_t utime = (k / burst * 120 + k % burst) * kSecond;
+      suspects = guard.judge(utime) == Verdict::suspect ? suspects + 1 : 0;
+      longest = std::max(longest, suspects);
+    }
+    EXPECT_LT(longest, ClockGuardParams().new_clock_after) << burst;
+  }
+}
+
+TEST(ClockGuard, SingleLeapsFartherAndFartherAheadMakeNoClock) {
+  ClockGuard guard;
+  guard.judge(0);
+  for (std::int64_t time = 100 * kSecond; time < 1000 * kHour; time *= 3)
+    EXPECT_EQ(guard.judge(time), Verdict::suspect);
 }
 
 TEST(ClockGuard, AdoptsSuspectsOnlyNearTheGivenTime) {

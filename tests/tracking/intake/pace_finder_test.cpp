@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
+#include "core/random.hpp"
+
 namespace lookout::tracking {
 namespace {
 
@@ -44,9 +48,23 @@ TEST(PaceFinder, LeavesAStreamNearTheConfiguredPaceOrFasterAlone) {
 
 TEST(PaceFinder, CountsLostPingsByTheirNumbers) {
   PaceFinder finder(0.5);
-  EXPECT_FALSE(Pinger(finder).pings(50, 1.5, 3));
-  PaceFinder without_numbers(0.5);
-  EXPECT_EQ(Pinger(without_numbers).pings(5, 2.0, 0), 2.0);
+  Pinger sonar(finder);
+  for (const int numbers : {1, 3, 2, 3, 1, 2, 4, 1, 3, 2, 1, 3})
+    EXPECT_FALSE(sonar.ping(0.5 * numbers, numbers));
+}
+
+// Nothing was tracked of slow sonars whose numbers are no count: none, tens, backwards, milliseconds, random.
+TEST(PaceFinder, NeedsNoNumbers) {
+  for (const std::int64_t numbers : {0, 3, 10, -1, 6000}) {
+    PaceFinder finder(0.5);
+    EXPECT_EQ(Pinger(finder).pings(20, 2.0, numbers), 2.0) << numbers;
+  }
+  PaceFinder finder(0.5);
+  Pinger sonar(finder);
+  std::optional<double> found;
+  for (const int numbers : {-50, 700, 1000000, -3, 90, 4000, -7, 800, 60})
+    if (const auto answer = sonar.ping(2.0, numbers)) found = answer;
+  EXPECT_EQ(found, 2.0);
 }
 
 TEST(PaceFinder, IsMisledByNoPause) {
@@ -70,8 +88,34 @@ TEST(PaceFinder, TakesNoMeanOfTwoPaces) {
   PaceFinder finder(0.5);
   Pinger sonar(finder);
   sonar.pings(10, 0.5);
-  EXPECT_FALSE(sonar.pings(2, 30.0));
+  EXPECT_FALSE(sonar.pings(3, 30.0));
   EXPECT_EQ(sonar.ping(30.0), 30.0);
+}
+
+// Half a minute too long loses no track; six seconds in a stream of six and sixty lose every one.
+TEST(PaceFinder, StaysAtTheLongerOfTwoPacesThatTakeTurns) {
+  for (const std::vector<double>& turns : {std::vector{6.0, 60.0}, {6.0, 60.0, 60.0}, {0.001, 60.0}}) {
+    PaceFinder finder(0.5);
+    Pinger sonar(finder);
+    for (int i = 0; i < 8; ++i) sonar.ping(turns[i % turns.size()]);
+    std::optional<double> found;
+    for (int i = 8; i < 80; ++i)
+      if (const auto answer = sonar.ping(turns[i % turns.size()])) found = answer;
+    EXPECT_EQ(found.value_or(60.0), 60.0) << turns.size();
+  }
+}
+
+// One change at the start and one in a hundred scans or less, of stamps that are up to 30 % of a step off.
+TEST(PaceFinder, FollowsNoUnevenStamps) {
+  core::Random random(1);
+  PaceFinder finder(0.5);
+  Pinger sonar(finder);
+  int changes = 0;
+  for (double last = 0.0, next = 0.0, k = 1.0; k < 1000.0; ++k, last = next) {
+    next = 6.0 * (k + random.uniform(-0.3, 0.3));
+    if (sonar.ping(next - last)) ++changes;
+  }
+  EXPECT_LE(changes, 10);
 }
 
 TEST(PaceFinder, TakesTheFastestOfSeveralSonars) {
@@ -79,10 +123,23 @@ TEST(PaceFinder, TakesTheFastestOfSeveralSonars) {
   Pinger slow(finder, 1), fast(finder, 2);
   std::optional<double> found;
   for (int i = 0; i < 20; ++i) {
-    for (const auto& answer : {slow.ping(8.0), fast.ping(2.0)})
+    for (const auto& answer :
+         {slow.ping(8.0), fast.ping(2.0), fast.ping(2.0), fast.ping(2.0), fast.ping(2.0)})
       if (answer) found = answer;
   }
   EXPECT_EQ(found, 2.0);
+}
+
+// The fast one of two stopped, and the slow one that was left was never tracked; so after one stray ping.
+TEST(PaceFinder, LeavesOutASonarThatIsSilent) {
+  for (const int pings : {1, 3, 600}) {
+    PaceFinder finder(0.5);
+    Pinger slow(finder, 1), fast(finder, 2);
+    fast.pings(pings, 0.1);
+    EXPECT_EQ(slow.pings(12, 20.0), 20.0) << pings;
+    fast.ping(260.0);
+    EXPECT_EQ(fast.pings(12, 0.1), 0.5) << pings;
+  }
 }
 
 TEST(PaceFinder, MakesNoStepFromClockToClock) {
