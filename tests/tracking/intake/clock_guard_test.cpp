@@ -46,7 +46,7 @@ TEST(ClockGuard, FollowsASlowSensor) {
   guard.judge(0);
   EXPECT_EQ(guard.judge(20 * kSecond), Verdict::suspect);
   EXPECT_EQ(guard.judge(40 * kSecond), Verdict::resumed);
-  for (int i = 3; i < 6; ++i) EXPECT_EQ(guard.judge(20 * i * kSecond), Verdict::in_order);
+  for (int i = 3; i < 6; ++i) EXPECT_EQ(guard.judge(i * (20 * kSecond)), Verdict::in_order);
 }
 
 // A turn takes it 100 s, longer than the longest step of one clock that was told.
