@@ -72,11 +72,8 @@ class ClutterMap {
   /// than the background, and how much more those return. @param own probability, for each detection, that a
   /// target made it. @param rate as for `price`.
   void learn(const ScanTable& newest, std::span<const double> own, double rate);
-  /// Scans nearer in time than this do not judge each other [s].
-  double leave_out_s() const { return leave_out_s_; }
-  double standing_share() const {
-    return earth_dense_.share();
-  }  ///< Probability that a return is of what stands still.
+  /// Probability that a return is of what stands still.
+  double standing_share() const { return earth_dense_.share(); }
 
   /// A place around the sonar of a scan, and what is known of it.
   struct PricedPlace {

@@ -93,9 +93,4 @@ void ScanHistory::set_heading_error(int age, const HeadingError& error) {
   csht::set_heading_error(error, figures_[static_cast<std::size_t>(table.sensor)], table);
 }
 
-void ScanHistory::clear() {
-  size_ = 0;
-  newest_ = -1;
-}
-
 }  // namespace lookout::csht

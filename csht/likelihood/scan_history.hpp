@@ -43,7 +43,6 @@ class ScanHistory {
 
   /// Turns the scan of that age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error);
-  void clear();  ///< Forgets every scan; `pushed` goes on.
 
  private:
   ScanTable& table_at(int age);

@@ -31,8 +31,6 @@ class ScoreNode {
   const Scorer& scorer() const { return scorer_; }  ///< The scores so far.
   std::int64_t truths() const { return truths_; }   ///< Heard.
   std::int64_t tracks() const { return tracks_; }   ///< Lists heard.
-  /// Whether a truth and a list of tracks met at one time.
-  bool scored_at_all() const { return scorer_.num_scans() > 0; }
 
  private:
   void take(core::GroundTruth truth);

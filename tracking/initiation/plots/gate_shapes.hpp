@@ -13,7 +13,6 @@ struct SpeedLimits {
   /// @throws std::invalid_argument naming the value out of range.
   void validate() const;
   /// Whether `speed` [m/s] is allowed.
-  bool contain(double speed) const { return speed >= min && speed <= max; }
 };
 
 /// The speeds of the scenes of [Fan2018], section V [m/s].

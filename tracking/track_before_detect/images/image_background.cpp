@@ -48,10 +48,6 @@ ImageBackground::ImageBackground(const ImageBackgroundParams& params) : params_(
   core::require_positive("least_level", params.least_level);
 }
 
-void ImageBackground::reset() {
-  started_ = false;
-}
-
 const IntensityFrame& ImageBackground::normalise(const core::PosedImage& posed) {
   const core::SonarImage& image = posed.image;
   follow(posed);

@@ -49,7 +49,6 @@ class ImageBackground {
   /// Learns the image last normalised, but for the cells of `kept`; those of `standing` take their level from
   /// what they have held of late.
   void learn(std::span<const CellWindow> kept, std::span<const CellWindow> standing);
-  void reset();  ///< Forgets all levels.
 
   /// Level by which a cell of the last image was divided.
   double level(int bin, int beam) const { return level_[frame_.index(bin, beam)]; }

@@ -19,7 +19,7 @@ class ImageChain {
   using OnResult = std::function<void(const PingResult&)>;  ///< Once for each accepted image, in their order.
   using Report = std::function<void(const std::string&)>;   ///< One line for a person.
 
-  /// @param method one of image_tracker_names(). The fastest target is that of `configured`.
+  /// @param method that of an ImageTracker. The fastest target is that of `configured`.
   ImageChain(const core::SonarParams& configured, std::string_view method, OnResult on_result, Report report,
              const InstrumentParams& instrument = {}, const IntakeParams& params = {});
   ImageChain(const ImageChain&) = delete;

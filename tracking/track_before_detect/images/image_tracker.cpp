@@ -1,6 +1,5 @@
 #include "tracking/track_before_detect/images/image_tracker.hpp"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -9,8 +8,6 @@
 
 namespace lookout::tracking {
 namespace {
-
-constexpr std::array<std::string_view, 3> kNames{"h_pmht", "mf_nn", "cfar_nn"};
 
 constexpr double kWidthOfDeviation = 2.3548;    // full width at half amplitude of a normal density
 constexpr double kNextScale = 1.42;             // half of the way to the next scale, as a ratio
@@ -36,10 +33,6 @@ bool finite(const core::Pose2& pose) {
 }
 
 }  // namespace
-
-std::span<const std::string_view> image_tracker_names() {
-  return kNames;
-}
 
 std::string image_fault(const core::PosedImage& posed) {
   const core::SonarImage& image = posed.image;

@@ -39,13 +39,11 @@ CellTrackerParams sonar_tracker_params(const InstrumentParams& instrument);
 /// The same of the background's parameters.
 ImageBackgroundParams sonar_background_params(const InstrumentParams& instrument);
 
-/// Names of the registry: "h_pmht", and the baselines "mf_nn" and "cfar_nn".
-std::span<const std::string_view> image_tracker_names();
-
 /// The front door of track-before-detect on sonar images: image by image to tracks in the earth frame.
 class ImageTracker {
  public:
-  /// @throws std::invalid_argument for a name that is none of image_tracker_names().
+  /// @param method "h_pmht", or a baseline, "mf_nn" or "cfar_nn". @throws std::invalid_argument for any
+  /// other.
   explicit ImageTracker(std::string_view method = "h_pmht", const InstrumentParams& instrument = {});
   /// With parameters of one's own.
   ImageTracker(std::unique_ptr<CellTargetTracker> targets, const ImageBackgroundParams& background);

@@ -59,10 +59,6 @@ void MatchedFilter::apply(const IntensityFrame& frame, std::span<const CellWindo
   tile(left_out);
 }
 
-void MatchedFilter::leave_out(std::span<const CellWindow> windows) {
-  tile(windows);
-}
-
 /// The frame's mean is taken off first, so that the border is no edge.
 void MatchedFilter::filter_rows(const IntensityFrame& frame) {
   const double mean = mean_of(frame.values);
@@ -123,11 +119,6 @@ void MatchedFilter::tile(std::span<const CellWindow> left_out) {
     for (int column = params_.block_columns / 2; column < columns_; column += params_.block_columns)
       if (!is_left_out(column, row)) tiles_.push_back(maximum_[index(column, row)]);
   std::sort(tiles_.begin(), tiles_.end());
-}
-
-double MatchedFilter::rank(double value) const {
-  const auto reaching = tiles_.end() - std::lower_bound(tiles_.begin(), tiles_.end(), value);
-  return (static_cast<double>(reaching) + 1.0) / (static_cast<double>(tiles_.size()) + 1.0);
 }
 
 double MatchedFilter::quantile(double quantile) const {

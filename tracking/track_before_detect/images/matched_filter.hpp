@@ -33,16 +33,11 @@ class MatchedFilter {
   /// @param divisors of each filtered cell, > 0; empty: all 1.
   void apply(const IntensityFrame& frame, std::span<const CellWindow> left_out = {},
              std::span<const float> divisors = {});
-  /// Leaves out of the tiling the blocks whose centre lies in one of the windows, so that known
-  /// targets do not lower the rank of others. Until the next `apply`.
-  void leave_out(std::span<const CellWindow> windows);
 
   /// Filtered amplitude of a cell.
   double at(int column, int row) const { return filtered_[index(column, row)]; }
   /// Maximum of the block centred on the cell (clipped at the border).
   double block_maximum(int column, int row) const { return maximum_[index(column, row)]; }
-  /// Share of the tiling blocks whose maximum reaches `value`, in (0, 1]: uniform for a block without target.
-  double rank(double value) const;
   /// The value that a share `quantile` of the tiling blocks lies below.
   double quantile(double quantile) const;
   /// Overwrites `peaks` with the cells that are the maximum of their own block and exceed `threshold`, the
