@@ -22,6 +22,7 @@ SHORT = {"scans": "N", "window_scans": "of", "min_plots": "K", "detection_probab
          "threshold": "at", "max_turn_rate_deg": "turns to"}
 LIMITS = [("turn_rate_deg", "turn rate [degrees/s]"), ("acceleration", "acceleration [m/s$^2$]")]
 SITUATIONS = ["I", "II", "III", "IV", "real"]
+SURFACE_CELLS = 60  # a side: more take twice as long to draw and show nothing else
 
 
 def rows_of(path):
@@ -155,7 +156,7 @@ def plot_pictures(album):
              "10, 15.")
 
 
-def cells_of_picture(path, columns=120):
+def cells_of_picture(path, columns=SURFACE_CELLS):
     """The votes of a picture on a coarse grid of theta and rho, the largest of each cell: a surface that can be seen."""
     votes = [row for row in rows_of(path) if row["target"] == "0"]
     if not votes:
@@ -182,7 +183,7 @@ def plot_surfaces(album):
         figure = plt.figure(figsize=(5 * len(pictures), 4.5))
         for k, (name, (theta, rho, heights)) in enumerate(pictures, 1):
             axis = figure.add_subplot(1, len(pictures), k, projection="3d")
-            axis.plot_surface(*np.meshgrid(theta, rho), heights, cmap="viridis", rcount=120, ccount=120)
+            axis.plot_surface(*np.meshgrid(theta, rho), heights, cmap="viridis", rcount=SURFACE_CELLS, ccount=SURFACE_CELLS)
             axis.set_xlabel(r"$\theta$ [rad]")
             axis.set_ylabel(r"$\rho$ [m]")
             axis.set_zlabel("votes")
