@@ -121,7 +121,7 @@ def plot_curves(album, cells):
             own = [c for c in here if (c["method"], c["parameters"]["rule"]) == (method, rule)]
             axis.plot(*zip(*sorted((value(c, "false_per_scan"), value(c, "in_track")) for c in own)), label=f"{method}, {rule}",
                       **style(index))
-        axis.text(0.97, 0.03, f"{level:g} dB", transform=axis.transAxes, ha="right")
+        axis.text(0.03, 0.97, f"{level:g} dB", transform=axis.transAxes, va="top")
         axis.set(xlabel="false tracks a scan", ylabel="share of target-time in track")
         axis.set_xscale("symlog", linthresh=0.01)
         axis.grid(alpha=0.3)

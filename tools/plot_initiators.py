@@ -18,6 +18,8 @@ from plot_style import PAPER, Album, plt, style
 SWEPT = [("p1", "$P_1$"), ("p2", "$P_2$"), ("p3", "$P_3$"), ("discrimination", "discrimination $D$"),
          ("found", "found"), ("false_per_run", "false tracks a run"), ("time_ms", "time [ms]")]
 LOGARITHMIC = {"time_ms"}
+SHARES = {"p1", "p2", "p3", "found"}
+SHARE_LIMITS = (-0.03, 1.03)  # the interval of few runs reaches beyond what a share can be
 SHORT = {"scans": "N", "window_scans": "of", "min_plots": "K", "detection_probability": "$P_D$",
          "threshold": "at", "max_turn_rate_deg": "turns to"}
 LIMITS = [("turn_rate_deg", "turn rate [degrees/s]"), ("acceleration", "acceleration [m/s$^2$]")]
@@ -99,6 +101,8 @@ def plot_against_clutter(album, curves):
         if metric in LOGARITHMIC:
             axis.set_xscale("log")
             axis.set_yscale("log")
+        if metric in SHARES:
+            axis.set_ylim(SHARE_LIMITS)
         axis.legend(fontsize="x-small")
         save(album, figure, f"{metric}_against_clutter", f"{axis_label} against the clutter; bars: 95 % intervals, stars: the paper's.")
 
@@ -270,7 +274,8 @@ def plot_limits(album, cells):
                     draw_curve(axis, points, k, label)
             axis.set_xlabel(axis_label)
             axis.set_ylabel(text)
-        axes[0].legend(fontsize="xx-small")
+            axis.set_ylim(SHARE_LIMITS)
+        axes[1].legend(fontsize="xx-small", loc="center left", bbox_to_anchor=(1.02, 0.5))
         save(album, figure, f"limits_{swept}", f"$P_2$ and $P_3$ over the {axis_label}; bars: 95 % intervals.")
 
 
