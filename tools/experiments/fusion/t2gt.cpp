@@ -249,14 +249,15 @@ std::string curve_name(const Cell& cell) {
 
 /// The root mean square error of each target at each scan over the runs, with its interval.
 std::array<std::array<Estimate, kRadarScans>, 4> rmse_over_runs(const Cell& cell, const Drawn& drawn) {
-  std::vector<PerScan> all;
-  for (int run = 0; run < std::min(drawn.runs, cell.max_runs); ++run)
-    all.push_back(errors_of_run(cell, drawn.seed, run).squared);
+  std::vector<PerScan> all(static_cast<std::size_t>(std::min(drawn.runs, cell.max_runs)));
+  for (std::size_t run = 0; run < all.size(); ++run)
+    all[run] = errors_of_run(cell, drawn.seed, static_cast<int>(run)).squared;
+  std::vector<Metric> errors(all.size());
   std::array<std::array<Estimate, kRadarScans>, 4> rmse;
   for (std::size_t i = 0; i < rmse.size(); ++i) {
     for (std::size_t scan = 0; scan < kRadarScans; ++scan) {
-      std::vector<Metric> errors;
-      for (const PerScan& run : all) errors.emplace_back(std::sqrt(run[i][scan]));
+      std::transform(all.begin(), all.end(), errors.begin(),
+                     [&](const PerScan& run) { return std::sqrt(run[i][scan]); });
       rmse[i][scan] = pool(errors, Pooling::root_mean_square);
     }
   }
