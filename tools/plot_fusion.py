@@ -2,10 +2,11 @@
 """Plots and tables of `lookout experiment t2gt`: plot_fusion.py DIR
 
 Reads results.json and rmse_over_time.csv in DIR; writes, for each azimuth noise and fault, rmse_NOISE_FAULT.png
-(position RMSE of each target over time, by method, in the manner of Figures 2 to 4 of Li, Fan, Yuan, Li), and
+(position RMSE of each target over time with its 95 % band, by method, in the manner of Figure 4 of Li, Fan, Yuan, Li), and
 structure.png (Figure 1: the two structures of track fusion), scene.png (Figures 2 and 3: true courses, what the radars
-tell, what printed `sdf` makes of it), nees.md (how honest each method's covariance is), and comparison.md (every figure with its standard error beside the one of the prototype in
-tools/data/t2gt_reference.csv, their ratio, and how many of them agree).
+tell, what printed `sdf` makes of it, or the method that --only left), pictures.md (captions), nees.md (how honest each
+method's covariance is), and comparison.md (every figure with half the width of its 95 % interval beside the one of the
+prototype in tools/data/t2gt_reference.csv, their ratio, and how many of them agree).
 """
 import collections
 import csv
@@ -14,14 +15,13 @@ import math
 import pathlib
 import sys
 
-from plot_style import plt, save_both
+from plot_style import COLOURS, Album, draw_band, plt
 
 REFERENCE = pathlib.Path(__file__).parent / "data" / "t2gt_reference.csv"
 COLUMNS = [("0.05deg", "none"), ("0.5deg", "none"), ("0.05rad", "none"), ("0.05deg", "worse"), ("0.05deg", "bias")]
 DRAWN = ["single_1", "mean", "dw_a", "sdf_any", "sdf_fixed", "ci", "learned", "ml", "central"]
 FAULTY_RADAR = 3
 TOLERANCE = 0.05  # t2gt 9: "the table above within 5 %"
-NORMAL_95 = 1.96  # half width of a 95 % interval in standard errors
 
 
 def read_curves(path):
@@ -29,29 +29,30 @@ def read_curves(path):
     with open(path, newline="") as file:
         for row in csv.DictReader(file):
             key = (row["azimuth_noise"], row["fault"])
-            curves[key][(row["method"], int(row["target"]))].append((float(row["time_s"]), float(row["rmse_m"])))
+            curves[key][(row["method"], int(row["target"]))].append(
+                [float(row[name] or 0.0) for name in ("time_s", "rmse_m", "ci95")])
     return curves
 
 
-def draw(noise, fault, curves, path):
+def draw(album, noise, fault, curves, runs):
     figure, axes = plt.subplots(2, 2, figsize=(11, 8), sharex=True)
     for target, axis in enumerate(axes.flat, 1):
-        for method in DRAWN:
-            points = curves.get((method, target))
-            if points:
-                axis.semilogy(*zip(*points), label=method, linewidth=1.2)
-        axis.set_title(f"target {target}")
+        drawn = [method for method in DRAWN if (method, target) in curves] or sorted({method for method, _ in curves})
+        for index, method in enumerate(drawn):
+            draw_band(axis, *zip(*curves[(method, target)]), index, method)
+        axis.set_yscale("log")
+        axis.text(0.03, 0.97, f"target {target}", transform=axis.transAxes, va="top")
         axis.grid(True, which="both", alpha=0.3)
         axis.set_ylabel("position RMSE [m]")
     for axis in axes[1]:
         axis.set_xlabel("time [s]")
     axes[0][0].legend(fontsize=7, ncol=2)
-    figure.suptitle(f"azimuth noise {noise}, fault {fault}")
     figure.tight_layout()
-    save_both(figure, path)
+    album.save(figure, f"rmse_{noise.replace('.', '')}_{fault}", f"Position RMSE of each target over {runs} runs with 95 % bands, "
+               f"azimuth noise {noise}, fault: {fault}. [Li2018] Fig. 4.")
 
 
-def draw_structure(path):
+def draw_structure(album):
     """Figure 1 of the paper: local track to local track, and local track to global track."""
     figure, axes = plt.subplots(1, 2, figsize=(10, 3.2))
     for axis, feeds_back, title in zip(axes, (False, True), ("local to local", "local to global, as here")):
@@ -68,27 +69,29 @@ def draw_structure(path):
         if feeds_back:
             axis.annotate("", (5.4, 1.3), (8.9, 1.3), arrowprops={"arrowstyle": "->", "connectionstyle": "arc3,rad=-0.4"})
             axis.text(7.2, 0.4, "prediction", fontsize=7, ha="center")
-        axis.set_title(title)
-    save_both(figure, path)
+        axis.text(0.2, 0.0, title, fontsize=8)
+    album.save(figure, "structure", "The two structures of track fusion. [Li2018] Fig. 1.")
 
 
-def draw_scene(rows, path):
+def draw_scene(album, rows, pictured):
     """Figures 2 and 3 of the paper side by side."""
     figure, axes = plt.subplots(1, 2, figsize=(12, 5.5), sharex=True, sharey=True)
-    for axis, kind, style, label in zip(axes, ("local", "fused"), ("x", "o"), ("radars' estimates", "printed sdf")):
+    for axis, kind, style, label in zip(axes, ("local", "fused"), ("x", "o"), ("radars' estimates", "global tracks")):
         for name, marker, text in (("truth", "-", "targets"), (kind, style, label)):
             tracks = collections.defaultdict(list)
             for row in rows:
                 if row["kind"] == name:
                     tracks[row["id"]].append((float(row["north_m"]) / 1e3, float(row["east_m"]) / 1e3))
             for k, points in enumerate(tracks.values()):
-                axis.plot(*zip(*points), marker, markersize=3, linewidth=0.8, color="k" if name == "truth" else f"C{k}",
+                axis.plot(*zip(*points), marker, markersize=3, linewidth=0.8, color="k" if name == "truth" else COLOURS[k % len(COLOURS)],
                           label=text if k == 0 else None)
         axis.set_xlabel("x [km]")
         axis.set_ylabel("y [km]")
         axis.legend(fontsize=8)
     figure.tight_layout()
-    save_both(figure, path)
+    words = ", ".join(f"{key.replace('_', ' ')} {value}" for key, value in pictured["parameters"].items() if value != "none")
+    album.save(figure, "scene", f"True courses with the radars' estimates, and with the global tracks ({words}), run 0 of seed "
+               f"{pictured['seed']}. [Li2018] Fig. 2 and 3.")
 
 
 def write_nees(results, path):
@@ -109,12 +112,12 @@ def write_nees(results, path):
 
 
 def measured(results):
-    """(method, support, origin, noise, fault) -> (rmse, its standard error); single radars pooled into their
+    """(method, support, origin, noise, fault) -> (rmse, half the width of its interval); single radars pooled into their
     mean and the faulty one."""
     found, singles = {}, collections.defaultdict(list)
     for cell in results["cells"]:
         parameters, metric = cell["parameters"], cell["metrics"]["rmse"]
-        rmse = (metric["mean"], (metric["ci95"] or 0.0) / NORMAL_95)
+        rmse = (metric["mean"], metric["ci95"] or 0.0)
         if parameters["targets"] != 4 or "association" in parameters or "unit" in parameters:
             continue
         column = (parameters["azimuth_noise"], parameters["fault"])
@@ -138,8 +141,8 @@ def write_comparison(results, path):
     found = measured(results)
     rows = list(dict.fromkeys(key[:3] for key in list(reference) + list(found)))
     worst, within, with_error, compared = 0.0, 0, 0, 0
-    lines = [f"Position RMSE [m] of the four targets, {results['runs']} runs, seed {results['seed']}: ours ± its standard "
-             "error (prototype's) ratio.",
+    lines = [f"Position RMSE [m] of the four targets, {results['runs']} runs, seed {results['seed']}: ours ± half the "
+             "width of its 95 % interval (prototype's) ratio.",
              "", "| method | " + " | ".join(" ".join(c) for c in COLUMNS) + " |", "|" + " --- |" * (len(COLUMNS) + 1)]
     for row in rows:
         texts = []
@@ -151,12 +154,12 @@ def write_comparison(results, path):
                 off = abs(ours[0] - theirs)
                 worst = max(worst, off / theirs)
                 within += off <= TOLERANCE * theirs
-                with_error += off <= TOLERANCE * theirs + 2.0 * ours[1]
+                with_error += off <= TOLERANCE * theirs + ours[1]
                 compared += 1
             texts.append(text)
         lines.append("| " + " ".join(filter(None, row)) + " | " + " | ".join(texts) + " |")
     lines += ["", f"Largest deviation: {100 * worst:.1f} %. Within {100 * TOLERANCE:.0f} %: {within} of {compared}; within "
-              f"{100 * TOLERANCE:.0f} % + 2 standard errors: {with_error} of {compared}.", ""] + order_lines(found, reference)
+              f"{100 * TOLERANCE:.0f} % and the interval: {with_error} of {compared}.", ""] + order_lines(found, reference)
     path.write_text("\n".join(lines) + "\n")
 
 
@@ -181,11 +184,12 @@ def main():
     results = json.loads((directory / "results.json").read_text())
     write_comparison(results, directory / "comparison.md")
     write_nees(results, directory / "nees.md")
-    draw_structure(directory / "structure.png")
+    album = Album(directory)
+    draw_structure(album)
     with open(directory / "scene.csv", newline="") as file:
-        draw_scene(list(csv.DictReader(file)), directory / "scene.png")
+        draw_scene(album, list(csv.DictReader(file)), json.loads((directory / "pictured_scene.json").read_text()))
     for (noise, fault), curves in read_curves(directory / "rmse_over_time.csv").items():
-        draw(noise, fault, curves, directory / f"rmse_{noise.replace('.', '')}_{fault}.png")
+        draw(album, noise, fault, curves, results["runs"])
 
 
 if __name__ == "__main__":

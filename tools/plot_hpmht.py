@@ -2,7 +2,7 @@
 """Plots of the hpmht experiments: tracks over image, existence over time, figures over SNR, deviations by scenario.
 
 Usage: plot_hpmht.py DIR, where `lookout experiment hpmht-sonar` (or `hpmht-curves`, `hpmht-video`) `--out DIR` has
-written.
+written: the pictures as PNG and PDF, their captions in pictures.md. What --only left out is not drawn.
 """
 import csv
 import json
@@ -11,7 +11,7 @@ import sys
 
 import numpy as np
 
-from plot_style import plt, save_both
+from plot_style import Album, plt, style
 
 
 def rows_of(path):
@@ -26,9 +26,13 @@ def read_pgm(path):
     return np.frombuffer(data[-2 * columns * rows:], dtype=">u2").reshape(rows, columns).astype(float)
 
 
-def save(figure, path):
+def save(album, figure, name, caption):
     figure.tight_layout()
-    save_both(figure, path)
+    album.save(figure, name, caption)
+
+
+def pictured_in(directory, name):
+    return json.loads((directory / f"pictured_{name}.json").read_text())
 
 
 def paths_by(rows, x, y):
@@ -38,107 +42,133 @@ def paths_by(rows, x, y):
     return paths
 
 
-def plot_sonar_image(directory):
+def plot_sonar_image(album, directory, words):
     image = read_pgm(directory / "sonar_image.pgm")
     tracks, truth = rows_of(directory / "sonar_tracks.csv"), rows_of(directory / "sonar_truth.csv")
-    last = truth[-1]["time_s"]
+    last = (truth or tracks)[-1]["time_s"]
     figure, (left, right) = plt.subplots(1, 2, figsize=(15, 6))
     left.imshow(image, aspect="auto", cmap="gray", vmax=np.percentile(image, 99.8), extent=[0, image.shape[1], image.shape[0], 0])
     here = [row for row in truth if row["time_s"] == last]
     left.plot([float(r["bin"]) for r in here], [float(r["beam"]) for r in here], "o", mfc="none", mec="tab:green", ms=16, label="target")
     here = [row for row in tracks if row["time_s"] == last and row["status"] == "confirmed"]
     left.plot([float(r["bin"]) for r in here], [float(r["beam"]) for r in here], "r+", ms=12, label="confirmed track")
-    left.set(xlabel="range bin", ylabel="beam", title=f"image over its level at {last} s")
+    left.set(xlabel="range bin", ylabel="beam")
     left.legend()
     for path in paths_by(truth, "east_m", "north_m").values():
         right.plot(*zip(*path), color="0.75", linewidth=6, solid_capstyle="round")
-    for number, path in paths_by([r for r in tracks if r["status"] == "confirmed"], "east_m", "north_m").items():
-        right.plot(*zip(*path), linewidth=1.3, label=f"track {number}")
-    right.set(xlabel="east [m]", ylabel="north [m]", title="targets (grey) and confirmed tracks", aspect="equal")
-    right.legend(fontsize="small")
-    save(figure, directory / "image_with_tracks.png")
+    confirmed = paths_by([r for r in tracks if r["status"] == "confirmed"], "east_m", "north_m")
+    for index, (number, path) in enumerate(confirmed.items()):
+        right.plot(*zip(*path), label=f"track {number}", markevery=10, **style(index))
+    right.set(xlabel="east [m]", ylabel="north [m]", aspect="equal")
+    if confirmed:
+        right.legend(fontsize="small")
+    save(album, figure, "image_with_tracks", f"Left: the image over its level at {last} s, targets and confirmed tracks; right: targets "
+         f"(grey) and confirmed tracks of h_pmht ({words}).")
 
 
-def plot_existence(directory):
+def plot_existence(album, directory, words):
     figure, axis = plt.subplots(figsize=(9, 4))
     for path in paths_by(rows_of(directory / "sonar_tracks.csv"), "time_s", "existence").values():
         strong = max(value for _, value in path) > 0.995
-        axis.plot(*zip(*path), color=None if strong else "0.8", linewidth=1.3 if strong else 0.6)
-    axis.set(xlabel="time [s]", ylabel="existence", title="existence of every track (grey: never confirmed)")
-    save(figure, directory / "existence.png")
+        look = {} if strong else {"color": "0.8", "linestyle": "-"}
+        axis.plot(*zip(*path), linewidth=1.3 if strong else 0.6, **look)
+    axis.set(xlabel="time [s]", ylabel="existence")
+    save(album, figure, "existence", f"Existence of every track of h_pmht, grey where never confirmed ({words}).")
 
 
-def value(cell, metric):
-    return cell["metrics"].get(metric, {}).get("mean", float("nan"))
+def value(cell, metric, part="mean"):
+    found = cell["metrics"].get(metric, {}).get(part)
+    return float("nan") if found is None else found
 
 
-def plot_over_snr(directory, cells):
-    """The figures over the level; of h_pmht with the signature that it is told and with none."""
-    cells = [c for c in cells if c["parameters"]["situation"] == "five_targets" and c["parameters"]["shape"] == 4]
-    name = lambda c: c["method"] + (" (signature found)" if c["parameters"]["signature"] == "found" else "")
-    figure, axes = plt.subplots(1, 3, figsize=(14, 4))
+def draw_curve(axis, cells, key, metric, index, label):
+    """A metric over a parameter of the cells, with the 95 % intervals of the runs where there are several."""
+    points = sorted((cell["parameters"][key], value(cell, metric), value(cell, metric, "ci95")) for cell in cells)
+    xs, means, widths = zip(*points)
+    widths = [0.0 if width != width else width for width in widths]
+    axis.errorbar(xs, means, widths, capsize=2, label=label, **style(index))
+
+
+def method_of(cell):
+    """The method, and whether it is told the instrument's signature."""
+    return cell["method"] + (" (signature found)" if cell["parameters"]["signature"] == "found" else "")
+
+
+def plot_over_snr(album, cells):
+    """The figures over the level, a picture a shape of the background; of h_pmht with the signature told and found."""
     names = [("in_track", "share of target-time in track"), ("rmse", "RMSE [m]"), ("false_per_scan", "false tracks a scan")]
-    for axis, (metric, label) in zip(axes, names):
-        for method, marker in zip(sorted({name(c) for c in cells}), "os^vD"):
-            own = sorted((c["parameters"]["snr_db"], value(c, metric)) for c in cells if name(c) == method)
-            axis.plot(*zip(*own), marker=marker, label=method)
-        axis.set(xlabel="SNR [dB]", ylabel=label)
-        axis.grid(alpha=0.3)
-    axes[0].legend()
-    save(figure, directory / "over_snr.png")
+    cells = [c for c in cells if c["parameters"]["situation"] == "five_targets"]
+    for shape in sorted({c["parameters"]["shape"] for c in cells}, reverse=True):
+        own = [c for c in cells if c["parameters"]["shape"] == shape]
+        figure, axes = plt.subplots(1, 3, figsize=(14, 4))
+        for axis, (metric, label) in zip(axes, names):
+            for index, method in enumerate(sorted({method_of(c) for c in own})):
+                draw_curve(axis, [c for c in own if method_of(c) == method], "snr_db", metric, index, method)
+            axis.set(xlabel="SNR [dB]", ylabel=label)
+            axis.grid(alpha=0.3)
+        axes[0].legend()
+        save(album, figure, "over_snr" if shape == 4 else f"over_snr_shape_{shape:g}".replace(".", ""),
+             f"Time in track, RMSE and false tracks over the level, five targets, K shape {shape:g}; bars: 95 % intervals.")
 
 
-def plot_curves(directory, cells):
+def plot_curves(album, cells):
     """Operating curves: time in track over false tracks a scan, a point a threshold, a panel a level."""
     levels = sorted({c["parameters"]["snr_db"] for c in cells})
     figure, axes = plt.subplots(1, len(levels), figsize=(6 * len(levels), 4.5), squeeze=False)
     for axis, level in zip(axes[0], levels):
         here = [c for c in cells if c["parameters"]["snr_db"] == level]
-        for (method, rule), marker in zip(sorted({(c["method"], c["parameters"]["rule"]) for c in here}), "os^vD"):
+        for index, (method, rule) in enumerate(sorted({(c["method"], c["parameters"]["rule"]) for c in here})):
             own = [c for c in here if (c["method"], c["parameters"]["rule"]) == (method, rule)]
-            axis.plot(*zip(*sorted((value(c, "false_per_scan"), value(c, "in_track")) for c in own)), marker=marker,
-                      label=f"{method}, {rule}")
-        axis.set(xlabel="false tracks a scan", ylabel="share of target-time in track", title=f"{level:g} dB")
+            axis.plot(*zip(*sorted((value(c, "false_per_scan"), value(c, "in_track")) for c in own)), label=f"{method}, {rule}",
+                      **style(index))
+        axis.text(0.03, 0.97, f"{level:g} dB", transform=axis.transAxes, va="top")
+        axis.set(xlabel="false tracks a scan", ylabel="share of target-time in track")
         axis.set_xscale("symlog", linthresh=0.01)
         axis.grid(alpha=0.3)
     axes[0][0].legend(fontsize="small")
-    save(figure, directory / "operating_curves.png")
+    save(album, figure, "operating_curves", "Time in track over false tracks, each method's threshold swept.")
 
 
-def plot_video(directory, cells):
+def plot_video(album, directory, cells):
+    pictured = pictured_in(directory, "video")
+    shown = pictured["parameters"]
     figure, (left, right) = plt.subplots(1, 2, figsize=(14, 6))
     left.imshow(read_pgm(directory / "video_pdim.pgm"), cmap="gray", extent=None)
     rows = rows_of(directory / "video_tracks.csv")
-    for method, truncation in sorted({(r["method"], r["truncation"]) for r in rows}):
+    for index, (method, truncation) in enumerate(sorted({(r["method"], r["truncation"]) for r in rows})):
         path = [(float(r["x_px"]) - 0.5, float(r["y_px"]) - 0.5) for r in rows if (r["method"], r["truncation"]) == (method, truncation)]
-        style = {"truth": "w-"}.get(method, "--" if truncation == "impute" else "-")
-        left.plot(*zip(*path), style, linewidth=1, label=f"{method} {truncation}")
-    left.set_title("scenario 5: PDIM at scan 10, tracks at 5 dB")
+        look = {"color": "w", "linestyle": "-"} if method == "truth" else style(index, markersize=3)
+        left.plot(*zip(*path), label=f"{method} {truncation}", **{**look, "linewidth": 1})
     left.legend(fontsize="x-small")
-    for method in ("h_pmht", "i_h_pmht_4", "i_h_pmht_1", "immpda_ai", "centroid_kf"):
-        for truncation, style in (("impute", "--"), ("zero", "-"), ("none", "-")):
-            own = sorted((c["parameters"]["scenario"], value(c, "deviation")) for c in cells
-                         if c["method"] == method and c["parameters"]["truncation"] == truncation
-                         and c["parameters"]["variant"] == "plain" and c["parameters"]["dct_db"] == 5)
-            if own:
-                right.plot(*zip(*own), style, marker="o", label=f"{method} {truncation}")
-    right.set(xlabel="scenario", ylabel="deviation [px]", title="plain, 5 dB")
-    right.legend(fontsize="small")
-    save(figure, directory / "video.png")
+    names = dict.fromkeys((c["method"], c["parameters"]["truncation"]) for c in cells if "deviation" in c["metrics"])
+    for index, (method, truncation) in enumerate(names):
+        own = [c for c in cells if (c["method"], c["parameters"]["truncation"]) == (method, truncation)
+               and all(c["parameters"][key] == shown[key] for key in ("variant", "dct_db"))]
+        if own:
+            draw_curve(right, own, "scenario", "deviation", index, f"{method} {truncation}")
+    right.set(xlabel="scenario", ylabel="deviation [px]")
+    if right.get_legend_handles_labels()[0]:
+        right.legend(fontsize="small")
+    words = f"{shown['variant']}, {shown['dct_db']:g} dB"
+    save(album, figure, "video", f"Left: PDIM at scan 10 of scenario {shown['scenario']:g} and what each method makes of it, run 0 of seed "
+         f"{pictured['seed']}; right: deviation by scenario, means with 95 % intervals ({words}). [Pakfiliz2018] Fig. 1 to 3.")
 
 
 def main():
     directory = pathlib.Path(sys.argv[1])
     results = json.loads((directory / "results.json").read_text())
+    album = Album(directory)
     if results["experiment"] == "hpmht-sonar":
         if (directory / "sonar_tracks.csv").exists():  # of h_pmht, which --only may have left out
-            plot_sonar_image(directory)
-            plot_existence(directory)
-        plot_over_snr(directory, results["cells"])
+            pictured = pictured_in(directory, "sonar")
+            words = ", ".join(f"{value:g}" if isinstance(value, float) else str(value) for value in pictured["parameters"].values())
+            plot_sonar_image(album, directory, f"{words}, seed {pictured['seed']}")
+            plot_existence(album, directory, f"{words}, seed {pictured['seed']}")
+        plot_over_snr(album, results["cells"])
     elif results["experiment"] == "hpmht-curves":
-        plot_curves(directory, results["cells"])
+        plot_curves(album, results["cells"])
     else:
-        plot_video(directory, results["cells"])
+        plot_video(album, directory, results["cells"])
 
 
 if __name__ == "__main__":

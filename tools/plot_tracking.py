@@ -7,6 +7,7 @@ and so on, pictures.md with their captions, tables.md. What --only left out is n
 """
 import csv
 import json
+import math
 import pathlib
 import sys
 
@@ -100,6 +101,12 @@ def is_paper_case(row):
     return row["sensor_figures"] == "known" and float(row["lag_s"]) == 0.0
 
 
+def half_width(row):
+    """Half of the 95 % interval; none of a single run."""
+    width = float(row["ci95"] or "nan")
+    return width if math.isfinite(width) else 0.0
+
+
 def curve_name(row):
     return row["method"] + (f' W={row["window_scans"]}' if row["window_scans"] not in ("", "20") else "")
 
@@ -107,7 +114,7 @@ def curve_name(row):
 def draw_curves(axis, rows, key):
     """A curve a method over the parameter `key`, and the paper's figures as stars and pentagons."""
     for index, name in enumerate(sorted({curve_name(row) for row in rows})):
-        curve = sorted((float(row[key]), float(row["mean"]), float(row["ci95"] or 0.0)) for row in rows if curve_name(row) == name)
+        curve = sorted((float(row[key]), float(row["mean"]), half_width(row)) for row in rows if curve_name(row) == name)
         axis.errorbar(*zip(*curve), label=name, capsize=2, **style(index))
     for method, name, marker in (("csht", "paper, CSHT", "*"), ("kalman", "paper, Kalman", "p")):
         printed = [(float(row[key]), float(row["paper"])) for row in rows if row["method"] == method and row["paper"]]

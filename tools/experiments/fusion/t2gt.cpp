@@ -8,6 +8,7 @@
 
 #include "core/files/csv.hpp"
 #include "fusion/fusion.hpp"
+#include "tools/experiments/harness/report.hpp"
 #include "tools/experiments/initiation/radar_scene.hpp"
 #include "tracking/association/assignment.hpp"
 
@@ -246,45 +247,45 @@ std::string curve_name(const Cell& cell) {
   return name;
 }
 
-/// Root mean square over the runs of each target at each scan.
-PerScan rmse_over_runs(const Cell& cell, const Drawn& drawn) {
-  PerScan sums{}, counts{};
-  for (int run = 0; run < std::min(drawn.runs, cell.max_runs); ++run) {
-    const Errors errors = errors_of_run(cell, drawn.seed, run);
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-      for (std::size_t scan = 0; scan < kRadarScans; ++scan) {
-        if (!std::isfinite(errors.squared[i][scan])) continue;
-        sums[i][scan] += errors.squared[i][scan];
-        counts[i][scan] += 1.0;
-      }
+/// The root mean square error of each target at each scan over the runs, with its interval.
+std::array<std::array<Estimate, kRadarScans>, 4> rmse_over_runs(const Cell& cell, const Drawn& drawn) {
+  std::vector<PerScan> all(static_cast<std::size_t>(std::min(drawn.runs, cell.max_runs)));
+  for (std::size_t run = 0; run < all.size(); ++run)
+    all[run] = errors_of_run(cell, drawn.seed, static_cast<int>(run)).squared;
+  std::vector<Metric> errors(all.size());
+  std::array<std::array<Estimate, kRadarScans>, 4> rmse;
+  for (std::size_t i = 0; i < rmse.size(); ++i) {
+    for (std::size_t scan = 0; scan < kRadarScans; ++scan) {
+      std::transform(all.begin(), all.end(), errors.begin(),
+                     [&](const PerScan& run) { return std::sqrt(run[i][scan]); });
+      rmse[i][scan] = pool(errors, Pooling::root_mean_square);
     }
   }
-  for (std::size_t i = 0; i < sums.size(); ++i) {
-    for (std::size_t scan = 0; scan < kRadarScans; ++scan)
-      sums[i][scan] = std::sqrt(sums[i][scan] / counts[i][scan]);
-  }
-  return sums;
+  return rmse;
 }
 
 /// [Li2018] Fig. 4: the error over time.
 void write_curves(const Drawn& drawn, const std::string& path) {
-  core::CsvWriter csv(path, "method,azimuth_noise,fault,target,time_s,rmse_m");
+  core::CsvWriter csv(path, "method,azimuth_noise,fault,target,time_s,rmse_m,ci95");
   for (const Cell& cell : drawn.cells) {
     const Parameters& parameters = cell.parameters;
     if (parameters.has("association") || parameters.number("targets") < kMostTargets) continue;
-    const PerScan rmse = rmse_over_runs(cell, drawn);
+    const auto rmse = rmse_over_runs(cell, drawn);
     for (std::size_t i = 0; i < rmse.size(); ++i) {
       for (std::size_t scan = kBirthScan; scan < kRadarScans; ++scan) {
         csv.text(curve_name(cell)).text(parameters.text("azimuth_noise")).text(parameters.text("fault"));
         csv.integer(static_cast<std::int64_t>(i) + 1).number(static_cast<double>(scan) * kRadarScanPeriod);
-        csv.number(rmse[i][scan]).end_row();
+        csv.number(rmse[i][scan].mean);
+        std::isfinite(rmse[i][scan].ci95) ? csv.number(rmse[i][scan].ci95) : csv.blank();
+        csv.end_row();
       }
     }
   }
   csv.close();
 }
 
-/// [Li2018] Fig. 2 and 3, of the first run: the true courses, what each radar tells, what `sdf` makes of it.
+/// [Li2018] Fig. 2 and 3, of the first run: the true courses, what each radar tells, what a method makes of
+/// it.
 void write_scene(const Cell& cell, std::uint64_t seed, const std::string& path) {
   core::CsvWriter csv(path, "kind,id,time_s,north_m,east_m");
   const auto write = [&](const char* kind, std::int64_t id, double time, const Eigen::Vector4d& state) {
@@ -309,9 +310,13 @@ void write_scene(const Cell& cell, std::uint64_t seed, const std::string& path) 
 
 void T2gt::write_extras(const Drawn& drawn) const {
   write_curves(drawn, drawn.directory + "/rmse_over_time.csv");
-  Cell printed{"sdf", with_all("0.05deg", "none"), {}};
-  printed.parameters.set("support", "any");
-  write_scene(printed, drawn.seed, drawn.directory + "/scene.csv");
+  Parameters printed = with_all("0.05deg", "none");
+  printed.set("support", "any");
+  const std::vector<Cell> papers = drawn.of_method("sdf");
+  Cell pictured = nearest_cell(papers.empty() ? drawn.cells : papers, printed);
+  write_scene(pictured, drawn.seed, drawn.directory + "/scene.csv");
+  pictured.parameters.set("method", pictured.method);
+  write_pictured(pictured, drawn, 1, "scene");
 }
 
 }  // namespace

@@ -113,13 +113,16 @@ class AgFhtTable2 : public AgFhtExperiment {
     return cells;
   }
 
-  /// [Zeng2023] Fig. 8, 9 and 11, of the first run: the plots, and what each method starts there.
+  /// [Zeng2023] Fig. 8, 9 and 11, of the first run: the plots, and what each method starts there, in the row
+  /// of the table that `--only` left and is nearest to the figure's.
   void write_extras(const Drawn& drawn) const override {
     for (const ZengRow& row :
          {ZengRow{"ag_fht", "text", 4, 4, 0, 120, 1.0}, ZengRow{"modified_logic", "polar", 4, 4, 0, 120, 1.0},
           ZengRow{"modified_ht", "", 3, 3, 0, 120, 1.0}, ZengRow{"vct", "", 4, 4, 4, 120, 1.0}}) {
-      if (drawn.of_method(row.method).empty()) continue;
-      const Cell cell = zeng_cell(row);
+      std::vector<Cell> left = drawn.of_method(row.method);
+      std::erase_if(left, [](const Cell& cell) { return cell.parameters.has("scenario"); });
+      if (left.empty()) continue;
+      const Cell& cell = nearest_cell(left, zeng_cell(row).parameters);
       core::Random random(drawn.seed, core::RandomStream::experiment, 0);
       const InitiationScene scene = zeng_scene(zeng_params(cell), random);
       std::string path = drawn.directory;

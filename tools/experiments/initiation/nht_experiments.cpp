@@ -1,6 +1,7 @@
 #include "tools/experiments/initiation/nht_experiments.hpp"
 
 #include <array>
+#include <optional>
 
 #include "core/files/csv.hpp"
 #include "tools/cli/paths.hpp"
@@ -82,6 +83,15 @@ Metrics measure(const Cell& cell, const InitiationScene& scene, const tracking::
       metrics[name] = metric;
   }
   return metrics;
+}
+
+/// The drawn cells of a method and reading.
+std::vector<Cell> cells_of(const Drawn& drawn, const Contender& contender) {
+  std::vector<Cell> own = drawn.of_method(contender.method);
+  std::erase_if(own, [&](const Cell& cell) {
+    return (cell.parameters.has("variant") ? cell.parameters.text("variant") : "") != contender.variant;
+  });
+  return own;
 }
 
 std::string name_of_picture(const std::string& file, const Contender& contender) {
@@ -178,19 +188,30 @@ Metrics NhtSimulated::run(const Cell& cell, std::uint64_t seed, int run) const {
                  kSimulatedReach);
 }
 
+/// The cell of a contender in a situation that the pictures show: the paper's, or the nearest to it that
+/// `--only` left; nothing where it left none.
+std::optional<Cell> pictured_cell(const Drawn& drawn, const Contender& contender,
+                                  const std::string& situation) {
+  std::vector<Cell> left = cells_of(drawn, contender);
+  std::erase_if(left, [&](const Cell& cell) { return cell.parameters.text("situation") != situation; });
+  if (left.empty()) return std::nullopt;
+  return nearest_cell(left, {{"noise", "consistent"}, {"clutter_per_scan", kWholeClutter}});
+}
+
 /// The scenes and accumulators of the first run of Situations I to IV, for pictures like the paper's Fig. 3
 /// to 10.
 void NhtSimulated::write_extras(const Drawn& drawn) const {
   for (const char* situation : {"I", "II", "III", "IV"}) {
     for (const Contender& contender : kContenders) {
-      if (drawn.of_method(contender.method).empty()) continue;
-      const Cell cell = cell_of(contender, situation, "consistent", kWholeClutter);
+      const auto cell = pictured_cell(drawn, contender, situation);
+      if (!cell) continue;
+      const FanSceneParams params = scene_of(*cell);
       core::Random random(drawn.seed, core::RandomStream::experiment, 0);
-      const InitiationScene scene = fan_scene(scene_of(cell), random);
-      write_scene(contender, scene, config_of(cell, 1.0, 0.0), drawn.directory + "/scene_" + situation);
+      const InitiationScene scene = fan_scene(params, random);
+      const auto config = config_of(*cell, plot_sigma(params), acceleration_sigma(params));
+      write_scene(contender, scene, config, drawn.directory + "/scene_" + situation);
       if (contender.ideal == 0.0) continue;
-      write_accumulator(contender, scene, config_of(cell, 1.0, 0.0),
-                        drawn.directory + "/accumulator_" + situation);
+      write_accumulator(contender, scene, config, drawn.directory + "/accumulator_" + situation);
     }
   }
 }
@@ -234,13 +255,20 @@ std::vector<Cell> NhtReal::cells() const {
   return cells;
 }
 
-/// The scene and the accumulators of the first run, for pictures like the paper's Fig. 12 to 15.
+/// The scene and the accumulators of the first run, for pictures like the paper's Fig. 12 to 15; not of the
+/// printed density, which all but one method refuse.
 void NhtReal::write_extras(const Drawn& drawn) const {
   for (const Contender& contender : kContenders) {
-    if (drawn.of_method(contender.method).empty()) continue;
+    std::vector<Cell> left = cells_of(drawn, contender);
+    std::erase_if(left, [](const Cell& cell) {
+      return cell.parameters.number("clutter_per_scan") == kPrintedRealClutter;
+    });
+    if (left.empty()) continue;
+    const Cell& cell = nearest_cell(left, {{"clutter_per_scan", kPicturedClutter}});
     core::Random random(drawn.seed, core::RandomStream::experiment, 0);
-    const InitiationScene scene = real_scene(kPicturedClutter, kRealPositionSigma, random);
-    const auto config = config_of(cell_of(contender, kPicturedClutter), kRealPositionSigma, 0.0);
+    const InitiationScene scene =
+        real_scene(cell.parameters.number("clutter_per_scan"), kRealPositionSigma, random);
+    const auto config = config_of(cell, kRealPositionSigma, 0.0);
     write_scene(contender, scene, config, drawn.directory + "/scene_real");
     if (contender.ideal > 0.0)
       write_accumulator(contender, scene, config, drawn.directory + "/accumulator_real");

@@ -14,6 +14,11 @@ double number_or(const Cell& cell, const char* name, double otherwise) {
   return cell.parameters.has(name) ? cell.parameters.number(name) : otherwise;
 }
 
+/// Whether [Fan2018] states the method's cells for its own scene, whose plots err by a thirtieth of these.
+bool is_of_fan(const std::string& method) {
+  return method == "ht" || method == "mht_ti" || method == "iht_ti" || method == "nht_ti";
+}
+
 /// Cells and tolerances for [Fan2018]'s methods in the proportion to the errors that its own scene has them:
 /// rows and columns of [Zeng2023], tolerances of one of each.
 void scale_lines(tracking::InitiatorConfig& config) {
@@ -46,7 +51,7 @@ void set_threshold(const std::string& method, double value, tracking::InitiatorC
     config.max_turn = core::radians(value);
   else if (method == "sequence_ht")
     config.max_tracks = static_cast<int>(value);
-  else if (method == "ag_fht" || method == "fpht" || method == "nht_plus" || method == "nht_ti")
+  else if (method == "ag_fht" || method == "fpht" || method == "nht_plus" || is_of_fan(method))
     config.peak_threshold = value;
   else
     throw std::invalid_argument("no threshold is known of " + method);
@@ -62,7 +67,7 @@ tracking::InitiatorConfig zeng_config(const Cell& cell) {
   if (parameters.has("min_plots")) config.min_plots = static_cast<int>(parameters.number("min_plots"));
   if (parameters.has("variant")) config.variant = parameters.text("variant");
   if (cell.method == "nht_plus" && !config.min_plots) config.min_plots = config.window_scans;
-  if (cell.method == "nht_ti") scale_lines(config);
+  if (is_of_fan(cell.method)) scale_lines(config);
   // The false tracks that VCT allows itself are those of the run, however many windows it has.
   const int windows = static_cast<int>(parameters.number("scans")) - *config.window_scans + 1;
   if (cell.method == "vct") config.max_false_tracks = tracking::VctParams{}.max_false_tracks / windows;

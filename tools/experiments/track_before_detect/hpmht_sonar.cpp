@@ -3,6 +3,7 @@
 #include "core/files/csv.hpp"
 #include "sonar_sim/sonar_simulator.hpp"
 #include "tools/cli/pgm.hpp"
+#include "tools/experiments/harness/report.hpp"
 #include "tools/experiments/track_before_detect/sonar_score.hpp"
 
 namespace lookout::tools {
@@ -65,14 +66,19 @@ Metrics HpmhtSonar::run(const Cell& cell, std::uint64_t seed, int run) const {
   return score_run(tracker, sonar_scene(cell.parameters), seed, run).metrics();
 }
 
-/// One run at the level of the pictures: the last ping normalised, tracks with existence, truth; cells of the
-/// last ping for the overlay.
+/// One run of `h_pmht`, at 8 dB where that is left: the last ping normalised, tracks with existence, truth;
+/// cells of the last ping for the overlay.
 void HpmhtSonar::write_extras(const Drawn& drawn) const {
-  if (drawn.of_method("h_pmht").empty()) return;
+  const std::vector<Cell> left = drawn.of_method("h_pmht");
+  if (left.empty()) return;
+  const Cell& pictured = nearest_cell(
+      left, cell_of("h_pmht", "known", scene_at("five_targets", kShape, kPictureSnr)).parameters);
+  write_pictured(pictured, drawn, 1, "sonar");
   const std::string& directory = drawn.directory;
-  const sonar_sim::Scene scene = sonar_scene(scene_at("five_targets", kShape, kPictureSnr));
+  const sonar_sim::Scene scene = sonar_scene(pictured.parameters);
   sonar_sim::SonarSimulator simulator(scene, drawn.seed);
-  tracking::ImageTracker tracker("h_pmht", sonar_instrument(true));
+  tracking::ImageTracker tracker("h_pmht",
+                                 sonar_instrument(pictured.parameters.text("signature") == "known"));
   tracking::ImageBackground background;
   core::CsvWriter tracks(directory + "/sonar_tracks.csv",
                          "time_s,id,status,north_m,east_m,existence,bin,beam");

@@ -7,6 +7,7 @@
 #include "core/files/csv.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/pgm.hpp"
+#include "tools/experiments/harness/report.hpp"
 #include "tools/experiments/track_before_detect/video_run.hpp"
 #include "tracking/track_before_detect/frames/gated_centroid.hpp"
 #include "tracking/track_before_detect/frames/h_pmht.hpp"
@@ -216,35 +217,51 @@ Metrics HpmhtVideo::run(const Cell& cell, std::uint64_t seed, int run) const {
   return metrics;
 }
 
-/// One video of scenario 5: a frame, and where each method thinks the aircraft is.
-void HpmhtVideo::write_extras(const Drawn& drawn) const {
-  const std::string& directory = drawn.directory;
-  const VideoRun video = make_video({kPictureScenario, false, false}, drawn.seed, 0);
+/// A frame of a video in grey and differenced.
+void write_frame(const VideoRun& video, const std::string& directory) {
   const int size = video.scenario.size;
   GreyImage grey{size, size, video.samples[10].grey}, pdim{size, size, video.frames[9].values};
   for (double& pixel : grey.pixels) pixel *= kGreyScale;
   for (double& pixel : pdim.pixels) pixel *= kGreyScale;
   write_pgm(directory + "/video_grey.pgm", grey);
   write_pgm(directory + "/video_pdim.pgm", pdim);
-  core::CsvWriter csv(directory + "/video_tracks.csv", "method,truncation,scan,x_px,y_px");
+}
+
+/// Where each of the methods thinks the aircraft is.
+void write_paths(const VideoRun& video, const std::vector<Cell>& cells, const std::string& path) {
+  core::CsvWriter csv(path, "method,truncation,scan,x_px,y_px");
   const auto write = [&](const std::string& method, const std::string& truncation, std::size_t scan,
                          const Eigen::Vector2d& p) {
     csv.text(method).text(truncation).integer(static_cast<std::int64_t>(scan)).number(p.x()).number(p.y());
     csv.end_row();
   };
   for (std::size_t k = 1; k < video.samples.size(); ++k) write("truth", "none", k, video.samples[k].centroid);
-  for (const std::string method : {"h_pmht", "i_h_pmht_4", "i_h_pmht_1"}) {
-    if (drawn.of_method(method).empty()) continue;
-    for (const std::string truncation : {"impute", "zero"}) {
-      double cpu_ms = 0.0;
-      const auto tracker =
-          make_tracker(method, {{"truncation", truncation}, {"dct_db", 5.0}}, video.scenario.area, false);
-      const auto estimates = follow(video, *tracker, cpu_ms);
-      for (std::size_t k = 0; k < estimates.size(); ++k)
-        write(method, truncation, k + 1, estimates[k].state.head<2>());
-    }
+  for (const Cell& cell : cells) {
+    double cpu_ms = 0.0;
+    const auto tracker = make_tracker(cell.method, cell.parameters, video.scenario.area, false);
+    const auto estimates = follow(video, *tracker, cpu_ms);
+    for (std::size_t k = 0; k < estimates.size(); ++k)
+      write(cell.method, cell.parameters.text("truncation"), k + 1, estimates[k].state.head<2>());
   }
   csv.close();
+}
+
+/// One video, of scenario 5 where it is left: a frame, and where each method thinks the aircraft is.
+void HpmhtVideo::write_extras(const Drawn& drawn) const {
+  constexpr double kPictureDct = 5.0;
+  const Cell& pictured =
+      nearest_cell(drawn.cells, parameters_of("plain", "zero", kPictureDct, kPictureScenario));
+  const Parameters& shown = pictured.parameters;
+  const VideoRun video = make_video(kind_of(shown), drawn.seed, 0);
+  write_frame(video, drawn.directory);
+  std::vector<Cell> cells = drawn.cells;
+  std::erase_if(cells, [&](const Cell& cell) {
+    const Parameters& p = cell.parameters;
+    return p.text("variant") == "levels" || p.text("variant") != shown.text("variant") ||
+           p.number("dct_db") != shown.number("dct_db") || p.number("scenario") != shown.number("scenario");
+  });
+  write_paths(video, cells, drawn.directory + "/video_tracks.csv");
+  write_pictured(pictured, drawn, 1, "video");
 }
 
 }  // namespace

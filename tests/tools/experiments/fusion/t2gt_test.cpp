@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "core/files/csv.hpp"
+#include "core/files/text_file.hpp"
+#include "tests/support/temporary_directory.hpp"
 #include "tools/experiments/harness/monte_carlo.hpp"
 
 namespace lookout::tools {
@@ -55,6 +60,30 @@ TEST(T2gt, CovariancesAreHonest) {
     const auto result = run_monte_carlo(*experiment, "t2gt", options);
     EXPECT_NEAR(result.cells.front().metrics.at("nees").mean, 1.0, 0.4) << method;
   }
+}
+
+/// Pictures show what `--only` left: the scene under the radars' noise and method of the only cell, and the
+/// band of its error, for which one run is too few.
+TEST(T2gt, DrawsTheCellThatIsLeft) {
+  const tests::TemporaryDirectory directory;
+  Drawn drawn;
+  drawn.directory = directory.path();
+  drawn.runs = 2;
+  const auto experiment = make_t2gt();
+  for (const Cell& cell : experiment->cells()) {
+    if (cell.method == "learned" && cell.parameters.text("azimuth_noise") == "0.05rad" &&
+        cell.parameters.number("targets") == 4.0)
+      drawn.cells.push_back(cell);
+  }
+  experiment->write_extras(drawn);
+  const std::string pictured =
+      core::read_text_file(directory.path() + "/pictured_scene.json", "a picture's cell");
+  EXPECT_NE(pictured.find("learned"), std::string::npos);
+  EXPECT_NE(pictured.find("0.05rad"), std::string::npos);
+  constexpr std::array<std::string_view, 3> kColumns{"method", "rmse_m", "ci95"};
+  const core::CsvTable curves(directory.path() + "/rmse_over_time.csv", kColumns);
+  EXPECT_EQ(curves.text(0, "method"), "learned");
+  EXPECT_GT(curves.number(0, "ci95"), 0.0);
 }
 
 TEST(T2gt, PrintedWeightsDoNotBeatTheMean) {

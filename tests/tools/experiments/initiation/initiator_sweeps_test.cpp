@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <set>
 
 #include "tracking/initiation/initiator_registry.hpp"
@@ -33,6 +34,22 @@ TEST(InitiatorCurves, ThresholdsMove) {
   }
   ASSERT_EQ(declared.size(), 6u);
   EXPECT_LT(declared.front(), declared.back());
+}
+
+/// Every method stands on every scene: seven turns, five accelerations, errors told wrong twice, clusters.
+TEST(InitiatorLimits, EveryMethodOnEveryScene) {
+  std::map<std::string, int> cells;
+  for (const Cell& cell : make_initiator_limits()->cells()) ++cells[cell.method];
+  for (const auto& method : tracking::initiator_names())
+    EXPECT_EQ(cells[method], method == "vct" ? 2 * 15 : 15) << method;  // VCT with turns and without.
+}
+
+/// The curves hold all but `modified_ht`, whose K of N is fixed.
+TEST(InitiatorCurves, EveryMethodHasACurve) {
+  std::set<std::string> swept;
+  for (const Cell& cell : make_initiator_curves()->cells()) swept.insert(cell.method);
+  for (const auto& method : tracking::initiator_names())
+    EXPECT_EQ(swept.count(method), method == "modified_ht" ? 0u : 1u) << method;
 }
 
 TEST(InitiatorTimes, EveryMethodIsTimedOnBothScenes) {

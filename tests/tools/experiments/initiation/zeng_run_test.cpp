@@ -28,11 +28,11 @@ TEST(ZengRun, EachMethodHasItsThreshold) {
   tracking::InitiatorConfig config;
   set_threshold("vct", 0.3, config);
   set_threshold("modified_logic", 0.9, config);
-  set_threshold("ag_fht", 0.8, config);
+  set_threshold("ht", 0.8, config);
   EXPECT_EQ(config.max_false_tracks, 0.3);
   EXPECT_EQ(config.gate_probability, 0.9);
   EXPECT_EQ(config.peak_threshold, 0.8);
-  EXPECT_THROW(set_threshold("ht", 1.0, config), std::invalid_argument);
+  EXPECT_THROW(set_threshold("unknown", 1.0, config), std::invalid_argument);
 }
 
 /// [Zeng2023]'s radar sees a target go straight; with a steady turn of two degrees a second its third step

@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "core/files/csv.hpp"
+#include "core/files/text_file.hpp"
+#include "tests/support/temporary_directory.hpp"
+
 namespace lookout::tools {
 namespace {
 
@@ -37,6 +43,25 @@ TEST(HpmhtVideo, TheRivalsKeepItToo) {
 TEST(HpmhtVideo, ThePrintedQMakesASingleScanWorse) {
   EXPECT_GT(second_run("i_h_pmht_4", "printed_q", "impute").at("deviation_visible").value,
             second_run("i_h_pmht_4", "plain", "impute").at("deviation_visible").value);
+}
+
+TEST(HpmhtVideo, DrawsTheScenarioThatIsLeft) {
+  const tests::TemporaryDirectory directory;
+  Drawn drawn;
+  drawn.directory = directory.path();
+  const auto experiment = make_hpmht_video();
+  for (const Cell& cell : experiment->cells()) {
+    if (cell.method == "centroid_kf" && cell.parameters.number("scenario") == 2.0)
+      drawn.cells.push_back(cell);
+  }
+  experiment->write_extras(drawn);
+  const std::string pictured =
+      core::read_text_file(directory.path() + "/pictured_video.json", "a picture's cell");
+  EXPECT_NE(pictured.find("\"scenario\": 2"), std::string::npos) << pictured;
+  constexpr std::array<std::string_view, 2> kColumns{"method", "truncation"};
+  const core::CsvTable paths(directory.path() + "/video_tracks.csv", kColumns);
+  EXPECT_EQ(paths.text(0, "method"), "truth");
+  EXPECT_EQ(paths.text(paths.num_rows() - 1, "method"), "centroid_kf");
 }
 
 TEST(HpmhtVideo, TheLevelsOfTable2StandBesideThePapers) {
