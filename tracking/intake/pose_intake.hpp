@@ -8,11 +8,13 @@
 
 #include "core/pose_history.hpp"
 #include "tracking/intake/clock_guard.hpp"
+#include "tracking/intake/pose_guard.hpp"
 
 namespace lookout::tracking {
 
 /// Takes the vehicle's states as they come and gives the pose at a ping's time. States may come late, cross
-/// one another and repeat; one bad stamp is refused alone, and several that agree are a new clock.
+/// one another and repeat; one bad stamp is refused alone, and several that agree are a new clock. Poses
+/// that leap as no vehicle moves are refused for a while.
 class PoseIntake {
  public:
   /// Who is told.
@@ -44,6 +46,7 @@ class PoseIntake {
 
   Sink sink_;
   ClockGuard clock_;
+  PoseGuard guard_;
   core::PoseHistory poses_;
   std::optional<core::VehicleState> newest_;  ///< That came, believed or not.
   std::vector<core::VehicleState> held_;      ///< Suspect, and each later than the one before.
