@@ -107,7 +107,7 @@ std::size_t TrackingChain::restore(const core::TrackingMemory& memory) {
     add(scan);
   }
   is_restoring_ = false;
-  intake_.forget_counts();
+  intake_.go_on_after_restart();
   identities_.expect(memory.tracks, memory.utime);
   const std::size_t expected = identities_.num_expected();
   const auto renamed = identities_.rename(newest_tracks_, newest_tracks_utime_);

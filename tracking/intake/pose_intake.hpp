@@ -32,8 +32,9 @@ class PoseIntake {
 
   /// A ping is on a new clock at `utime`: believes the states that are on it already.
   void begin_new_clock(std::int64_t utime);
-  void start_new_clock();  ///< The next state is the first of a new clock.
-  void finish();           ///< There is no more: what nothing speaks against is believed.
+  void expect_pause() { clock_.expect_pause(); }  ///< Nobody listened until the next state.
+  void start_new_clock();                         ///< The next state is the first of a new clock.
+  void finish();  ///< There is no more: what nothing speaks against is believed.
 
   const core::PoseHistory& poses() const { return poses_; }                   ///< Of what is believed.
   std::optional<std::int64_t> newest_utime() const { return clock_.last(); }  ///< Of what is believed [us].
