@@ -13,8 +13,8 @@ namespace {
 
 using Clock = lcmtypes::NodeLoop::Clock;
 
-/// Longest wait for the TRACKS of one scan at full speed.
-constexpr std::chrono::seconds kAnswerWait{1};
+/// A wait that is longer, eleven days, is a mistake, and may not be a duration of the clock [s].
+constexpr double kMostWait = 1e6;
 /// Nodes that a process is likely to mean; a set larger than this is a mistake or an attack.
 constexpr std::size_t kMaxNodes = 1000;
 
@@ -22,11 +22,18 @@ void require(bool holds, const std::string& message) {
   if (!holds) throw core::InputError(message);
 }
 
+/// Of so many seconds on the clock of the loop.
+Clock::duration duration_of(double seconds) {
+  return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
+}
+
 void check(const SimulatorNodeParams& params) {
   require(!params.speed || (std::isfinite(*params.speed) && *params.speed > 0.0),
           "--speed: got " + core::shortest(params.speed.value_or(0.0)) + ", expected a number > 0 or max");
   require(params.wait_for >= 0 && params.wait_for <= static_cast<int>(kMaxNodes),
           "--wait-for: got " + std::to_string(params.wait_for) + ", expected 0 to 1000");
+  require(params.answer_wait > 0.0 && params.answer_wait <= kMostWait,
+          "--answer-wait: got " + core::shortest(params.answer_wait) + ", expected above 0, up to 1000000 s");
   require(std::abs(params.start_utime) <= core::kMaxUtime / 2,
           "--start-utime: got " + std::to_string(params.start_utime) + ", beyond the range of a clock");
 }
@@ -93,9 +100,7 @@ SonarSimulatorNode::Vehicle* SonarSimulatorNode::earliest() {
 
 bool SonarSimulatorNode::pace(lcmtypes::NodeLoop& loop, Clock::time_point start, const Vehicle& vehicle) {
   if (!params_.speed) return !loop.over();
-  const double wall = core::seconds(vehicle.next->scan.utime) / *params_.speed;
-  return loop.wait_until(start +
-                         std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(wall)));
+  return loop.wait_until(start + duration_of(core::seconds(vehicle.next->scan.utime) / *params_.speed));
 }
 
 void SonarSimulatorNode::send(Vehicle& vehicle) {
@@ -131,8 +136,8 @@ void SonarSimulatorNode::publish_image(const Vehicle& vehicle, core::SonarImage 
 
 bool SonarSimulatorNode::await_tracks(lcmtypes::NodeLoop& loop, const Vehicle& vehicle) {
   const std::int64_t sequence = vehicle.next->scan.sequence;
-  const bool going_on =
-      loop.wait_until(Clock::now() + kAnswerWait, [&] { return vehicle.answered >= sequence; });
+  const bool going_on = loop.wait_until(Clock::now() + duration_of(params_.answer_wait),
+                                        [&] { return vehicle.answered >= sequence; });
   if (vehicle.answered < sequence) ++figures_.unanswered;
   return going_on;
 }

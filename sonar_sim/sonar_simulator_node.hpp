@@ -21,7 +21,10 @@ struct SimulatorNodeParams {
   std::uint64_t seed = 1;             ///< Of every random draw.
   std::int64_t start_utime = 0;       ///< Scenario time of the first scan [us].
   std::optional<double> speed = 1.0;  ///< Times real time, > 0; nothing: as fast as the trackers follow.
-  int wait_for = 0;                   ///< Nodes to hear on LOOKOUT_STATUS before the first scan, >= 0.
+  /// At full speed, the longest wait for the TRACKS of one scan [s], in (0, 1e6]. A tracker whose processor
+  /// is given to others loses nothing where it is long.
+  double answer_wait = 1.0;
+  int wait_for = 0;  ///< Nodes to hear on LOOKOUT_STATUS before the first scan, >= 0.
   bool wait_for_tracks =
       true;  ///< At full speed, wait for the TRACKS of each scan: off where nobody can answer.
 };
@@ -29,7 +32,7 @@ struct SimulatorNodeParams {
 /// What the simulator did.
 struct SimulatorFigures {
   std::int64_t scans = 0;       ///< Sent, over all vehicles.
-  std::int64_t unanswered = 0;  ///< At full speed: scans whose TRACKS did not come within a second.
+  std::int64_t unanswered = 0;  ///< At full speed: scans whose TRACKS did not come in time.
   bool complete = false;        ///< Whether the scene came to its end.
 };
 

@@ -27,6 +27,7 @@ LOG_EVENT = struct.Struct(">IqqII")  # mark, number, time, lengths of channel an
 LOG_MARK = 0xEDA1DA01
 STATUS = struct.Struct(">qqi5q2d")  # fingerprint, utime, node_id, accepted to send_errors, latencies p50, p99
 MINUTE, QUARTER, HOUR = 60.0, 900.0, 3600.0  # s
+ANSWER_WAIT = "60"  # s for which the next scan waits for a tracker whose processor is given to others
 MOST_GROWTH = 0.1  # of resident memory, from the second hour's end to the last's
 MOVING = re.compile(r"  - \{.*\}")
 
@@ -95,7 +96,7 @@ def run(arguments, folder):
         [arguments.program, "track", "--lcm-url", URL, *arguments.track_options], stderr=subprocess.PIPE, text=True
     )
     simulator = subprocess.Popen(
-        [arguments.program, "sim", scene, "--speed", "max", "--wait-for", "1", "--lcm-url", URL]
+        [arguments.program, "sim", scene, "--speed", "max", "--answer-wait", ANSWER_WAIT, "--wait-for", "1", "--lcm-url", URL]
     )
     samples, end = [], time.monotonic() + MINUTE * arguments.minutes
     while simulator.poll() is None:

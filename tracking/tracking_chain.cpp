@@ -1,7 +1,7 @@
 #include "tracking/tracking_chain.hpp"
 
 #include <cassert>
-#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +10,7 @@
 #include "core/files/csv.hpp"
 #include "core/files/time_text.hpp"
 #include "tracking/intake/ping_checks.hpp"
+#include "tracking/restart/clock_step.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -17,28 +18,6 @@ namespace {
 /// Identities that another process may have given since its memory was taken: more than any sea gives in
 /// seconds.
 constexpr std::int64_t kGivenSince = 1000;
-
-/// Longest pause over which a sensor's numbers say that it went on [us].
-constexpr double kLongestPause = 1e7;
-
-/// By how much the clock was set back between the newest scan of before and `first` [us], below 0, where the
-/// sensor's numbers go on and its period says how much time they took; nothing where they do not, and nothing
-/// for a clock that leaps ahead: a sensor that slept looks the same.
-std::optional<std::int64_t> clock_step(const std::vector<core::RememberedScan>& before,
-                                       const core::SonarScan& first) {
-  const core::SonarScan *last = nullptr, *earlier = nullptr;
-  for (const auto& [vehicle, scan] : before)
-    if (scan.sensor_id == first.sensor_id) earlier = std::exchange(last, &scan);
-  if (earlier == nullptr) return std::nullopt;
-  const auto numbers = [](const core::SonarScan& from, const core::SonarScan& to) {
-    return static_cast<double>(to.sequence) - static_cast<double>(from.sequence);
-  };
-  const double period = static_cast<double>(last->utime - earlier->utime) / numbers(*earlier, *last);
-  const double pause = numbers(*last, first) * period;
-  if (!(period > 0.0 && pause > 0.0 && pause <= kLongestPause)) return std::nullopt;
-  const std::int64_t step = first.utime - (last->utime + std::llround(pause));
-  return step < 0 ? std::optional(step) : std::nullopt;
-}
 
 /// A range sigma above this share of the range is another sonar's; its share where nothing is known of it is
 /// that of the defaults.
@@ -128,7 +107,7 @@ std::size_t TrackingChain::restore(const core::TrackingMemory& memory) {
     add(scan);
   }
   is_restoring_ = false;
-  intake_.forget_counts();
+  intake_.go_on_after_restart();
   identities_.expect(memory.tracks, memory.utime);
   const std::size_t expected = identities_.num_expected();
   const auto renamed = identities_.rename(newest_tracks_, newest_tracks_utime_);
@@ -241,7 +220,7 @@ void TrackingChain::give(PingResult result) {
 }
 
 // A new clock: everything is forgotten but which identities were used, unless its first scan shows that the
-// clock was set back and the sensor went on.
+// clock was set and the sensor went on.
 void TrackingChain::reset() {
   give_until(std::numeric_limits<std::int64_t>::max());
   other_clock_ = core::TrackingMemory{0, newest_tracks_utime_, newest_tracks_, scans_.scans()};
@@ -257,10 +236,10 @@ void TrackingChain::reset() {
 /// The first scan of a new clock: where its number follows the last of the old one, the clock was set.
 void TrackingChain::go_on_from(const core::SonarScan& first) {
   const core::TrackingMemory memory = std::move(*std::exchange(other_clock_, std::nullopt));
-  const auto step = clock_step(memory.scans, first);
+  const auto step = clock_step(memory.scans, {{first.utime, T_earth_body_, {0.0, 0.0}}, first});
   if (!step) return;
-  report_("the numbers of scans go on: the clock was set back by " + core::time_text(-*step) +
-          " s, and tracking goes on");
+  report_("the numbers of scans go on: the clock was set " + std::string(*step < 0 ? "back" : "ahead") +
+          " by " + core::time_text(std::abs(*step)) + " s, and tracking goes on");
   track_again(memory, *step);
 }
 

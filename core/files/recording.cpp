@@ -305,8 +305,10 @@ std::vector<TrackList> read_tracks(const std::string& path) {
       else if (status != "confirmed")
         table.fail(row, "status", "got " + shown(status) + ", expected tentative, confirmed or coasting");
     }
-    track.state << table.number(row, "north_m"), table.number(row, "east_m"),
-        number_or(table, row, "north_velocity_mps", 0.0), number_or(table, row, "east_velocity_mps", 0.0);
+    // Not by <<, which must not be left half-way: a cell may be refused.
+    track.state = Eigen::Vector4d{table.number(row, "north_m"), table.number(row, "east_m"),
+                                  number_or(table, row, "north_velocity_mps", 0.0),
+                                  number_or(table, row, "east_velocity_mps", 0.0)};
     track.existence = number_or(table, row, "existence", 1.0);
     track.moving = number_or(table, row, "moving", 1.0);
     list.tracks.push_back(track);

@@ -169,8 +169,7 @@ def main():
             watch.kill()
             took = watch.start()
             watch.lose(LOST)
-            watch.send()  # A time after a pause is believed with the next.
-            end, after = watch.track(1)
+            end, after = watch.track(2)
             sent = moment + UNKEPT + LOST + 2
             for identity, track in before.items():
                 found = successor(track, end - begin, after)

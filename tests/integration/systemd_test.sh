@@ -33,7 +33,7 @@ await() {
 is() { [ "$(shown "$1")" = "$2" ]; }
 says() { inside journalctl -u lookout-track --no-pager -o cat | grep -q "$1"; }
 
-(cd "$1" && cpack -B "$folder" > "$folder/log" 2>&1) || { cat "$folder/log"; exit 1; }
+(cd "$1" && cpack -D CPACK_COMPONENTS_ALL=vehicle -B "$folder" > "$folder/log" 2>&1) || { cat "$folder/log"; exit 1; }
 cp "$folder"/lookout_*.deb "$root/root/lookout.deb"
 cp "$2" "$root/root/scene.yaml"
 chroot "$root" dpkg -i /root/lookout.deb > /dev/null

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/input_error.hpp"
 
 namespace lookout::sonar_sim {
@@ -104,7 +106,10 @@ TEST(SonarSimulatorNode, AtFullSpeedWaitsForTracksAndCountsThoseThatDoNotCome) {
   });
   SimulatorNodeParams params;
   params.speed.reset();
+  params.answer_wait = 0.2;
+  const auto begin = lcmtypes::NodeLoop::Clock::now();
   const auto figures = SonarSimulatorNode(bus, small_scene(kOneVehicle), params).run({});
+  EXPECT_GE(lcmtypes::NodeLoop::Clock::now() - begin, std::chrono::milliseconds(200));
   EXPECT_EQ(figures.scans, 4);
   EXPECT_EQ(figures.unanswered, 1);
 }
@@ -129,6 +134,11 @@ TEST(SonarSimulatorNode, RefusesParamsOutOfRange) {
   params = {};
   params.wait_for = -1;
   EXPECT_THROW(SonarSimulatorNode(bus, scene, params), core::InputError);
+  for (const double wait : {0.0, -1.0, 2e6, std::nan("")}) {
+    params = {};
+    params.answer_wait = wait;
+    EXPECT_THROW(SonarSimulatorNode(bus, scene, params), core::InputError) << wait;
+  }
   params = {};
   params.channel_prefix = "*";
   EXPECT_THROW(SonarSimulatorNode(bus, scene, params), core::InputError);

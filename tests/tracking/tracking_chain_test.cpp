@@ -281,6 +281,15 @@ TEST(TrackingChainRestart, GoesOnInSilenceWithTheSameIdentities) {
   EXPECT_EQ(after.chain.counts().lost, 2);
 }
 
+TEST(TrackingChainRestart, TracksTheFirstScanAfterIt) {
+  FollowingChain before, after;
+  before.chain.remember();
+  for (int k = 0; k < 10; ++k) before.scan(k);
+  after.chain.restore(before.chain.memory());
+  after.scan(30);  // A pause that would be held until the next scan agrees.
+  EXPECT_EQ(after.ids.size(), 1u);
+}
+
 TEST(TrackingChainRestart, NeverUsesAnIdentityAgain) {
   FollowingChain before, after;
   before.chain.remember();

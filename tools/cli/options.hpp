@@ -45,8 +45,9 @@ struct Options {
   std::optional<double> duration;   ///< Wall time [s].
   std::optional<double> idle_exit;  ///< Wall time of silence [s].
   int wait_for = 0;
-  std::string speed = "1";       ///< Factor over real time, or "max".
-  std::int64_t start_utime = 0;  ///< Scenario time of the first scan [us].
+  std::string speed = "1";            ///< Factor over real time, or "max".
+  std::optional<double> answer_wait;  ///< At full speed, the longest wait for TRACKS of a scan [s].
+  std::int64_t start_utime = 0;       ///< Scenario time of the first scan [us].
   int runs = 100;
   int jobs = 0;  ///< Threads; 0: all cores.
   std::vector<std::string> only;

@@ -11,6 +11,8 @@ void declare_sim(CLI::App& app, Options& options) {
   app.add_option("SCENARIO", options.inputs, "Scene YAML")->expected(1)->required();
   app.add_option("--speed", options.speed, "Times real time, or max: as fast as the tracker answers")
       ->capture_default_str();
+  app.add_option("--answer-wait", options.answer_wait,
+                 "At --speed max, the longest wait for the TRACKS of a scan [s], above 0 (default: 1)");
   app.add_option("--wait-for", options.wait_for, "Trackers to hear on LOOKOUT_STATUS before the first scan")
       ->capture_default_str();
   app.add_option("--start-utime", options.start_utime, "Scenario time of the first scan [us]")

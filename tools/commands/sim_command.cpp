@@ -20,10 +20,17 @@ std::optional<double> parse_speed(const std::string& text) {
   return speed;
 }
 
+/// How long the TRACKS of a scan are waited for. @throws core::InputError where nobody waits.
+double answer_wait(const Options& options, const sonar_sim::SimulatorNodeParams& params) {
+  const bool waits = !params.speed && params.wait_for_tracks;
+  if (options.answer_wait && !waits)
+    throw core::InputError("--answer-wait: only --speed max waits for TRACKS, and not into a file://");
+  return options.answer_wait.value_or(params.answer_wait);
+}
+
 std::string describe(const sonar_sim::SimulatorFigures& figures) {
   std::string line = std::to_string(figures.scans) + " scans sent";
-  if (figures.unanswered > 0)
-    line += ", " + std::to_string(figures.unanswered) + " not answered within a second";
+  if (figures.unanswered > 0) line += ", " + std::to_string(figures.unanswered) + " not answered in time";
   if (!figures.complete) line += ", stopped before the end of the scene";
   return line;
 }
@@ -41,6 +48,7 @@ int sim_command(const Options& options) {
   params.speed = parse_speed(options.speed);
   params.wait_for = options.wait_for;
   params.wait_for_tracks = !options.lcm_url.starts_with("file://");
+  params.answer_wait = answer_wait(options, params);
   lcmtypes::Bus bus(options.lcm_url);
   sonar_sim::SonarSimulatorNode node(bus, scene, params);
   log_info("sim: seed " + std::to_string(options.seed));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "core/parameter_check.hpp"
 
@@ -51,7 +52,9 @@ ClockGuard::Verdict ClockGuard::judge(std::int64_t utime) {
   if (num_suspects_ >= kResumedAfter && beside > 0 && beside <= longest) return suspect(utime);
   const std::int64_t step = last_ ? utime - *last_ : 1;
   if (step <= 0 && step >= -params_.max_late) return Verdict::late;
-  if (step <= 0 || step > longest) return suspect(utime);
+  const bool is_pause = std::exchange(expects_pause_, false) && step > longest && step <= max_step();
+  if (step <= 0 || (step > longest && !is_pause)) return suspect(utime);
+  if (is_pause) last_.reset();  // It says nothing of the stream's pace.
   believe(utime);
   return Verdict::in_order;
 }

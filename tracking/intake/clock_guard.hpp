@@ -48,6 +48,9 @@ class ClockGuard {
   /// clock. Returns whether there are such.
   bool adopt_suspects_ahead();
 
+  /// The next time may lie ahead by up to `max_step` and is believed at once: nobody listened meanwhile.
+  void expect_pause() { expects_pause_ = true; }
+
   void forget() { *this = ClockGuard(params_); }  ///< The next time is the first.
 
  private:
@@ -62,6 +65,7 @@ class ClockGuard {
   std::int64_t step_ = 0;  ///< Between the newest two believed times [us].
   std::int64_t newest_suspect_ = 0;
   int num_suspects_ = 0;
+  bool expects_pause_ = false;
   std::int64_t leap_ = 0;  ///< Of the newest suspect from the time before it [us].
   std::int64_t slow_ = 0;  ///< Farthest step of a stream that proves to be slower than `max_step` [us].
 };

@@ -52,6 +52,7 @@ void PoseIntake::begin_new_clock(std::int64_t utime) {
 void PoseIntake::start_new_clock() {
   refuse_held();
   clock_.forget();
+  guard_.forget();
   poses_.clear();
 }
 
@@ -62,6 +63,8 @@ void PoseIntake::finish() {
 
 void PoseIntake::believe(const core::VehicleState& state, bool new_clock) {
   if (new_clock) poses_.clear();
+  if (new_clock) guard_.forget();
+  if (const auto reason = guard_.doubt(state); !reason.empty()) return sink_.refuse(state, reason);
   poses_.add(state);
   if (sink_.believe) sink_.believe(state, new_clock);
 }

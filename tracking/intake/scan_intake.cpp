@@ -136,6 +136,13 @@ void PingIntake<Ping>::add(Ping ping) {
 }
 
 template <class Ping>
+void PingIntake<Ping>::go_on_after_restart() {
+  ledger_.counts = {};
+  states_.expect_pause();
+  for (auto& [id, sensor] : sensors_) sensor.clock.expect_pause();
+}
+
+template <class Ping>
 void PingIntake<Ping>::shed(const Ping& ping) {
   ++ledger_.counts.received;
   ++ledger_.counts.shed;

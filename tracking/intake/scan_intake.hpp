@@ -81,7 +81,8 @@ class PingIntake {
   void start_new_clock();       ///< What comes now is on another clock, as who keeps a recording knows.
 
   const IntakeCounts& counts() const { return ledger_.counts; }  ///< Since the start.
-  void forget_counts() { ledger_.counts = {}; }                  ///< Counts from now on.
+  /// What came so far was another process's: counts from now on, and believes a pause at once.
+  void go_on_after_restart();
   std::int64_t newest_utime() const;  ///< Of the data that was believed [us]; 0 before any.
 
  private:

@@ -195,7 +195,9 @@ void ChainNode<Chain>::save_state() {
     if (params_.state_file.empty() || chain_->counts().accepted == 0) return;
     const core::TrackingMemory memory = chain_->memory();
     kept_.clear();
-    for (const auto& track : memory.tracks) kept_.push_back(track.id);
+    // Nobody looks for a tentative one after a restart: it is kept when it is confirmed.
+    for (const auto& track : memory.tracks)
+      if (track.status != core::TrackStatus::tentative) kept_.push_back(track.id);
     try {
       lcmtypes::save_state(params_.state_file, memory);
     } catch (const std::exception& error) {

@@ -75,7 +75,7 @@ class ChainNode {
   std::size_t pings_waiting_ = 0;
   StampClock stamps_;
   int seconds_ = 0;                 // Of status, since the state was kept.
-  std::vector<std::int64_t> kept_;  // Identities in the state as it was last kept.
+  std::vector<std::int64_t> kept_;  // Confirmed identities in the state as it was last kept.
 };
 
 extern template class ChainNode<TrackingChain>;

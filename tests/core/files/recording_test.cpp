@@ -126,6 +126,11 @@ TEST(Recording, BadRowsNameTheirLine) {
   EXPECT_THROW(read_recording(folder.file("nowhere")), InputError);
 }
 
+TEST(Recording, ACellOfAStateThatIsNoNumberIsRefused) {
+  const tests::TemporaryDirectory folder;
+  EXPECT_THROW(read_tracks(folder.write("t.csv", "time_s,id,north_m,east_m\n0,1,40,1x\n")), InputError);
+}
+
 TEST(Recording, UnknownStatusIsRefused) {
   const tests::TemporaryDirectory folder;
   EXPECT_THROW(read_tracks(folder.write("t.csv", "time_s,id,status,north_m,east_m\n0,1,sure,0,0\n")),

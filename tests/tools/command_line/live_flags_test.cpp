@@ -19,10 +19,12 @@ TEST(LiveFlags, OfTrack) {
 }
 
 TEST(LiveFlags, OfSim) {
-  const Options options = parsed(&declare_sim, "scene.yaml --wait-for 2 --speed max --start-utime 5");
+  const Options options =
+      parsed(&declare_sim, "scene.yaml --wait-for 2 --speed max --answer-wait 30 --start-utime 5");
   EXPECT_EQ(options.inputs, std::vector<std::string>{"scene.yaml"});
   EXPECT_EQ(options.wait_for, 2);
   EXPECT_EQ(options.speed, "max");
+  EXPECT_EQ(options.answer_wait, 30.0);
   EXPECT_EQ(options.start_utime, 5);
   EXPECT_THROW(parsed(&declare_sim, ""), std::invalid_argument);  // Of which scene?
 }

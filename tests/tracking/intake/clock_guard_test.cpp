@@ -41,6 +41,18 @@ TEST(ClockGuard, ALeapIsAPauseWhereTheNextAgreesAndElseOneBadStamp) {
   EXPECT_EQ(guard.judge(6 * kSecond), Verdict::in_order);
 }
 
+TEST(ClockGuard, BelievesAPauseAtOnceThatIsExpected) {
+  ClockGuard guard;
+  for (const int tenths : {0, 5, 10}) guard.judge(tenths * kSecond / 10);
+  guard.expect_pause();
+  EXPECT_EQ(guard.judge(4 * kSecond), Verdict::in_order);
+  EXPECT_EQ(guard.judge(7 * kSecond), Verdict::suspect);  // The next is none, and no pace was learnt of it.
+  ClockGuard other;
+  other.judge(kHour);
+  other.expect_pause();
+  EXPECT_EQ(other.judge(2 * kHour), Verdict::suspect);  // Too far for a pause.
+}
+
 TEST(ClockGuard, FollowsASlowSensor) {
   ClockGuard guard;
   guard.judge(0);

@@ -38,6 +38,19 @@ TEST_F(PoseIntakeTest, RefusesAPoseThatStandsWhileItSaysThatItMoves) {
   EXPECT_EQ(believed_.size(), 2u);
 }
 
+TEST_F(PoseIntakeTest, RefusesPositionsThatLeapUntilANewClock) {
+  const auto add_at = [this](double second, double north) {
+    intake_.add({core::microseconds(second), {north, 0.0, 0.0}, {1.0, 0.0}});
+  };
+  for (int i = 0; i < 20; ++i) add_at(100.0 + i, i);
+  for (int i = 20; i < 25; ++i) add_at(100.0 + i, 10.0 * (100.0 + i));
+  EXPECT_EQ(refused_.size(), 5u);
+  EXPECT_FALSE(intake_.poses().at(core::microseconds(120.5)));
+  for (int i = 0; i < 5; ++i) add_at(i, 1000.0 + i);
+  EXPECT_EQ(refused_.size(), 5u);
+  EXPECT_TRUE(intake_.poses().at(core::microseconds(0.5)));
+}
+
 TEST_F(PoseIntakeTest, AVehicleMayRest) {
   for (int i = 0; i < 4; ++i) intake_.add({i * kSecond, {1.0, 2.0, 0.5}, {0.0, 0.0}});
   EXPECT_TRUE(refused_.empty());

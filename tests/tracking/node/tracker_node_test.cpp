@@ -13,7 +13,9 @@ namespace {
 
 constexpr std::int64_t kSecond = 1'000'000;
 
-/// One confirmed and one tentative track at every scan, and the sensor's figures.
+constexpr int kTentative = 2;  ///< Scans for which the stub's second track is tentative.
+
+/// One confirmed and, in the first scans, one tentative track, and the sensor's figures.
 class StubTracker final : public Tracker {
  public:
   StubTracker() {
@@ -21,6 +23,7 @@ class StubTracker final : public Tracker {
     tracks_[0].status = core::TrackStatus::confirmed;
   }
   std::span<const core::Track> update(const core::PosedScan&, std::span<const core::MotionElement>) override {
+    if (++updates_ > kTentative) tracks_[1].status = core::TrackStatus::confirmed;
     return tracks_;
   }
   std::optional<core::SensorEstimate> sensor_estimate() const override {
@@ -33,6 +36,7 @@ class StubTracker final : public Tracker {
 
  private:
   std::vector<core::Track> tracks_{2};
+  int updates_ = 0;
 };
 
 /// One motion element at every scan.
@@ -243,6 +247,18 @@ TEST_F(SmallTrackerNodeTest, KeepsAnIdentityBeforeItIsTold) {
   scans(0, 1);
   tracker->run({.idle_exit = 0.05});
   EXPECT_EQ(kept, std::vector<std::int64_t>{11});
+}
+
+TEST_F(SmallTrackerNodeTest, KeepsAnIdentityBeforeItIsToldAsConfirmed) {
+  std::vector<core::TrackStatus> kept;
+  bus_.subscribe<track_list_t>("TRACKS", [&](const lcmtypes::KeyedTracks&) {
+    kept.push_back(lcmtypes::load_state(directory_.file("state")).memory->tracks.at(1).status);
+  });
+  const auto tracker = node();
+  scans(0, kTentative + 1);
+  tracker->run({.idle_exit = 0.05});
+  using enum core::TrackStatus;
+  EXPECT_EQ(kept, (std::vector{tentative, tentative, confirmed}));
 }
 
 TEST_F(SmallTrackerNodeTest, ADamagedStateIsAWordAndACleanStart) {
