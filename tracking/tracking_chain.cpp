@@ -84,6 +84,7 @@ TrackingChain::TrackingChain(const ChainParams& params, MakePipeline make_pipeli
       pipeline_(make_pipeline_(configured_)),
       view_guard_(configured_),
       pace_(configured_.scan_period),
+      reads_beams_(params.tracker.name == "joint"),
       report_(std::move(report)),
       intake_(configured_,
               {[this](const core::PosedScan& scan) { track(scan); },
@@ -154,10 +155,13 @@ void TrackingChain::finish() {
 }
 
 void TrackingChain::track(const core::PosedScan& scan) {
+  if (is_halted_) return;
   if (is_fresh_) suit(scan.scan);
   is_fresh_ = false;
   if (other_clock_) go_on_from(scan.scan);
   follow_pace(scan.scan);
+  follow_returns(scan.scan);
+  if (is_halted_) return;
   scans_.add(scan.scan, T_earth_body_);
   const PingResult result = pipeline_->step(scan);
   view_guard_.keep(result.tracks, result.utime);
@@ -192,17 +196,32 @@ void TrackingChain::follow_pace(const core::SonarScan& scan) {
   const double before = configured_.scan_period;
   const auto period = pace_.learn({scan.sensor_id, scan.sequence, scan.utime});
   if (!period) return;
+  core::SonarParams sensor = configured_;
+  sensor.scan_period = *period;
   tell(
       "scans come every " + core::shortest(*period) + " s, not every " + core::shortest(before) +
-      (go_on_at(*period)
+      (go_on_as(sensor)
            ? " s: tracking goes by that; scan_period in `sensor:` of the configuration says it from the start"
            : " s, for which this tracker cannot be made: set scan_period in `sensor:` of the configuration"));
 }
 
-/// Tracks what is remembered again, in silence, as at that period [s]. @return whether the tracker can.
-bool TrackingChain::go_on_at(double period) {
+/// Where a beam reports several returns, all of them count: false alarms are then points of a Poisson law.
+void TrackingChain::follow_returns(const core::SonarScan& scan) {
+  if (!reads_beams_ || configured_.point_sensor()) return;
+  const auto returns = several_.learn(scan);
+  if (!returns) return;
   core::SonarParams sensor = configured_;
-  sensor.scan_period = period;
+  sensor.false_alarm_probability.reset();
+  sensor.clutter_per_scan = *returns;
+  tell(go_on_as(sensor)
+           ? "beams report several returns: all of them count, " + core::shortest(*returns) +
+                 " a scan; clutter_per_scan in `sensor:` of the configuration says how many from the start"
+           : "beams report several returns, and this tracker takes the nearest of a beam alone");
+}
+
+/// Tracks what is remembered again, in silence, as of another sensor. @return whether the tracker can.
+bool TrackingChain::go_on_as(const core::SonarParams& configured) {
+  core::SonarParams sensor = configured;
   core::TrackingMemory memory{0, newest_tracks_utime_, {}, scans_.scans()};
   if (!is_restoring_) memory.tracks = newest_tracks_;  // Else nobody has heard of these identities.
   if (!memory.scans.empty()) sensor = core::with_geometry_of(memory.scans.front().scan, sensor);
@@ -213,7 +232,9 @@ bool TrackingChain::go_on_at(double period) {
   } catch (const std::invalid_argument&) {
     return false;
   }
-  configured_.scan_period = period;
+  configured_.scan_period = configured.scan_period;
+  configured_.clutter_per_scan = configured.clutter_per_scan;
+  configured_.false_alarm_probability = configured.false_alarm_probability;
   scans_.forget();
   track_again(memory, 0);
   return true;
@@ -271,6 +292,8 @@ void TrackingChain::track_again(const core::TrackingMemory& memory, std::int64_t
   identities_.expect(memory.tracks, memory.utime + step);
   core::PosedScan posed;
   for (const auto& [vehicle, scan] : memory.scans) {
+    is_halted_ = is_halted_ || stopped_();
+    if (is_halted_) break;
     posed.scan = scan;
     posed.scan.utime += step;
     posed.T_earth_sonar = core::compose(vehicle.T_earth_body, scan.T_body_sonar);
