@@ -1,5 +1,6 @@
 #include "tracking/tracking_chain.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -48,6 +49,20 @@ double plausible_range_sigma(double sigma, double max_range) {
   const core::SonarParams known_nothing;
   const bool is_default = sigma == known_nothing.range_sigma;
   return is_default && sigma > kWidestSigma * max_range ? sigma * max_range / known_nothing.max_range : sigma;
+}
+
+/// Share of the range that the fastest target may go between two scans where nobody said how fast it is: what
+/// goes farther is seen once or twice, and to look for it hides the slow ones.
+constexpr double kFarthestStep = 0.5;
+
+double default_max_speed(double period, double max_range) {
+  return std::min(core::SonarParams().max_speed, kFarthestStep * max_range / period);
+}
+
+std::string told_speed(double speed) {
+  return "targets up to " + core::shortest(speed) +
+         " m/s are looked for, half the range from scan to scan; max_speed in `sensor:` of the configuration "
+         "says what is right";
 }
 
 }  // namespace
@@ -178,6 +193,13 @@ void TrackingChain::renew(std::unique_ptr<ScanPipeline> pipeline) {
 
 /// Makes the pipeline for the sensor that a first scan shows.
 void TrackingChain::suit(const core::SonarScan& first) {
+  const double speed = default_max_speed(configured_.scan_period, first.max_range);
+  const bool is_slow =
+      configured_.max_speed == core::SonarParams().max_speed && speed < configured_.max_speed;
+  if (is_slow) {
+    tell(told_speed(speed));
+    configured_.max_speed = speed;
+  }
   const double sigma = plausible_range_sigma(configured_.range_sigma, first.max_range);
   if (sigma != configured_.range_sigma) {
     tell("range_sigma " + core::shortest(configured_.range_sigma) + " m in a range of " +
@@ -185,7 +207,7 @@ void TrackingChain::suit(const core::SonarScan& first) {
          " m is taken; range_sigma in `sensor:` of the configuration says what is right");
     configured_.range_sigma = sigma;
     view_guard_ = ViewGuard(configured_);
-  } else if (agrees(first, configured_)) {
+  } else if (!is_slow && agrees(first, configured_)) {
     return;
   }
   renew(make_pipeline_(core::with_geometry_of(first, configured_)));
@@ -198,6 +220,9 @@ void TrackingChain::follow_pace(const core::SonarScan& scan) {
   if (!period) return;
   core::SonarParams sensor = configured_;
   sensor.scan_period = *period;
+  if (configured_.max_speed == default_max_speed(before, scan.max_range))
+    sensor.max_speed = default_max_speed(*period, scan.max_range);
+  if (sensor.max_speed < configured_.max_speed) tell(told_speed(sensor.max_speed));
   tell(
       "scans come every " + core::shortest(*period) + " s, not every " + core::shortest(before) +
       (go_on_as(sensor)
@@ -233,6 +258,7 @@ bool TrackingChain::go_on_as(const core::SonarParams& configured) {
     return false;
   }
   configured_.scan_period = configured.scan_period;
+  configured_.max_speed = configured.max_speed;
   configured_.clutter_per_scan = configured.clutter_per_scan;
   configured_.false_alarm_probability = configured.false_alarm_probability;
   scans_.forget();

@@ -234,6 +234,14 @@ TEST(TrackingChainPace, GoesByTheScansAndKeepsGeometryAndIdentities) {
             "configuration says it from the start");
 }
 
+// At 3 m/s a target crosses the view of 100 m between two scans a minute apart: half of it is looked for.
+TEST(TrackingChainPace, LooksForNoTargetThatCrossesTheViewBetweenTwoScans) {
+  ToldChain told;
+  for (int k = 0; k < 10; ++k) told.scan(60.0 * k, k, 100.0);
+  EXPECT_DOUBLE_EQ(told.sensors.back().max_speed, 0.5 * 100.0 / 60.0);
+  EXPECT_EQ(told.ids, std::vector<std::int64_t>(10, 1));
+}
+
 TEST(TrackingChainPace, SaysWhereTheTrackerCannotBeMadeForIt) {
   std::vector<std::string> lines;
   int scans = 0;
