@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <string_view>
 
 #include "core/input_error.hpp"
@@ -20,6 +21,9 @@
 
 namespace lookout::lcmtypes {
 namespace {
+
+/// Bytes before channel and data of an event in a log of LCM.
+constexpr std::uintmax_t kEventHeader = 28;
 
 constexpr std::string_view kMulticast = "udpm://";
 /// LCM's own, where nothing is said. ttl=0 keeps messages on this computer.
@@ -50,6 +54,22 @@ bool has_route(const std::string& url) {
   const bool known = connect(probe, reinterpret_cast<const sockaddr*>(&to), sizeof to) == 0;
   close(probe);
   return known;
+}
+
+constexpr std::string_view kFile = "file://";
+
+/// The path of "file://PATH?...".
+std::string path_of(const std::string& url) {
+  return url.substr(kFile.size(), url.find('?') - kFile.size());
+}
+
+/// LCM would wait in the open of a pipe for its other end, deaf to signals.
+void refuse_pipe(const std::string& url) {
+  if (!url.starts_with(kFile)) return;
+  std::error_code none;
+  const auto kind = std::filesystem::status(path_of(url), none).type();
+  if (kind == std::filesystem::file_type::fifo || kind == std::filesystem::file_type::socket)
+    throw core::InputError("--lcm-url: " + path_of(url) + " is a pipe, expected a plain file");
 }
 
 /// A channel as the regular expression that LCM takes it for: `.` of a prefix is itself.
@@ -84,6 +104,7 @@ std::string Bus::resolved(const std::string& url) {
 
 Bus::Bus(const std::string& url) : url_(resolved(url)) {
   check_url(url_);
+  refuse_pipe(url_);
   url_ = with_receive_buffer(url_, largest_receive_buffer());
   if (is_multicast() && !has_route(url_)) throw BusError(cannot_open(url_));
   lcm_ = std::make_unique<lcm::LCM>(url_);
@@ -169,9 +190,25 @@ void Bus::publish_bytes(const std::string& channel, std::span<const std::uint8_t
 
 void Bus::send(const std::string& channel) {
   errno = 0;
+  logged_ += kEventHeader + channel.size() + buffer_.size();
   if (lcm_->publish(channel, buffer_.data(), static_cast<unsigned>(buffer_.size())) == 0) return;
   ++send_errors_;
   send_error_ = errno != 0 ? std::strerror(errno) : "LCM refuses";
+}
+
+std::string Bus::close_log() {
+  const auto arguments = url_.find('?');
+  if (!url_.starts_with(kFile) || arguments == std::string::npos ||
+      url_.find("mode=w", arguments) == std::string::npos)
+    return "";
+  lcm_.reset();
+  const std::string path = path_of(url_);
+  std::error_code none;
+  const bool is_plain = std::filesystem::is_regular_file(path, none);
+  const std::uintmax_t size = is_plain ? std::filesystem::file_size(path, none) : logged_;
+  if (size >= logged_ && send_errors_ == 0) return "";
+  return path + ": only " + std::to_string(size) + " of " + std::to_string(logged_) +
+         " bytes could be written: is the disk full?";
 }
 
 Bus::Heard Bus::handle_for(std::chrono::milliseconds timeout) {

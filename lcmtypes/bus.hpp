@@ -106,6 +106,10 @@ class Bus {
   /// Whether the transport has closed because its server is gone: a failure, unlike a file that is read
   /// through.
   bool lost_server() const { return lost_server_; }
+  /// Closes a log that was written (`file://PATH?mode=w`): after it nothing may be sent or heard. @return
+  /// what of it is missing on the disk, in words; empty: nothing, or this is no such log. LCM itself hides a
+  /// full disk.
+  std::string close_log();
   /// Whether what cannot be opened now may be later, when the network is up: UDP multicast.
   static bool may_come_up(const std::string& url);
   /// The URL that is taken for `url`: where it is empty that of LCM_DEFAULT_URL, else LCM's own.
@@ -133,6 +137,7 @@ class Bus {
   bool is_aside_ = false;  ///< The message that was handled last was only overheard.
   std::vector<std::uint8_t> buffer_;
   std::int64_t send_errors_ = 0;
+  std::uintmax_t logged_ = 0;        ///< Bytes that a log of what was sent must have.
   std::int64_t dropped_before_ = 0;  ///< Datagrams, by sockets that were closed since.
   std::string send_error_;
   bool lost_server_ = false;

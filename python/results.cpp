@@ -49,6 +49,9 @@ py::dict as_dict(const tracking::IntakeCounts& counts) {
   add("returns", counts.returns);
   add("silent_returns", counts.silent_returns);
   add("dropped_returns", counts.dropped_returns);
+  add("ringing_returns", counts.ringing_returns);
+  add("shed_returns", counts.shed_returns);
+  add("returns_behind", counts.returns_behind);
   add("repeated", counts.repeated);
   add("off_pace", counts.off_pace);
   add("states", counts.states);

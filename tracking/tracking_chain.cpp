@@ -1,5 +1,6 @@
 #include "tracking/tracking_chain.hpp"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 #include <limits>
@@ -27,6 +28,20 @@ double plausible_range_sigma(double sigma, double max_range) {
   const core::SonarParams known_nothing;
   const bool is_default = sigma == known_nothing.range_sigma;
   return is_default && sigma > kWidestSigma * max_range ? sigma * max_range / known_nothing.max_range : sigma;
+}
+
+/// Share of the range that the fastest target may go between two scans where nobody said how fast it is: what
+/// goes farther is seen once or twice, and to look for it hides the slow ones.
+constexpr double kFarthestStep = 0.5;
+
+double default_max_speed(double period, double max_range) {
+  return std::min(core::SonarParams().max_speed, kFarthestStep * max_range / period);
+}
+
+std::string told_speed(double speed) {
+  return "targets up to " + core::shortest(speed) +
+         " m/s are looked for, half the range from scan to scan; max_speed in `sensor:` of the configuration "
+         "says what is right";
 }
 
 }  // namespace
@@ -63,6 +78,7 @@ TrackingChain::TrackingChain(const ChainParams& params, MakePipeline make_pipeli
       pipeline_(make_pipeline_(configured_)),
       view_guard_(configured_),
       pace_(configured_.scan_period),
+      reads_beams_(params.tracker.name == "joint"),
       report_(std::move(report)),
       intake_(configured_,
               {[this](const core::PosedScan& scan) { track(scan); },
@@ -133,10 +149,13 @@ void TrackingChain::finish() {
 }
 
 void TrackingChain::track(const core::PosedScan& scan) {
+  if (is_halted_) return;
   if (is_fresh_) suit(scan.scan);
   is_fresh_ = false;
   if (other_clock_) go_on_from(scan.scan);
   follow_pace(scan.scan);
+  follow_returns(scan.scan);
+  if (is_halted_) return;
   scans_.add(scan.scan, T_earth_body_);
   const PingResult result = pipeline_->step(scan);
   view_guard_.keep(result.tracks, result.utime);
@@ -153,6 +172,13 @@ void TrackingChain::renew(std::unique_ptr<ScanPipeline> pipeline) {
 
 /// Makes the pipeline for the sensor that a first scan shows.
 void TrackingChain::suit(const core::SonarScan& first) {
+  const double speed = default_max_speed(configured_.scan_period, first.max_range);
+  const bool is_slow =
+      configured_.max_speed == core::SonarParams().max_speed && speed < configured_.max_speed;
+  if (is_slow) {
+    tell(told_speed(speed));
+    configured_.max_speed = speed;
+  }
   const double sigma = plausible_range_sigma(configured_.range_sigma, first.max_range);
   if (sigma != configured_.range_sigma) {
     tell("range_sigma " + core::shortest(configured_.range_sigma) + " m in a range of " +
@@ -160,7 +186,7 @@ void TrackingChain::suit(const core::SonarScan& first) {
          " m is taken; range_sigma in `sensor:` of the configuration says what is right");
     configured_.range_sigma = sigma;
     view_guard_ = ViewGuard(configured_);
-  } else if (agrees(first, configured_)) {
+  } else if (!is_slow && agrees(first, configured_)) {
     return;
   }
   renew(make_pipeline_(core::with_geometry_of(first, configured_)));
@@ -171,17 +197,35 @@ void TrackingChain::follow_pace(const core::SonarScan& scan) {
   const double before = configured_.scan_period;
   const auto period = pace_.learn({scan.sensor_id, scan.sequence, scan.utime});
   if (!period) return;
+  core::SonarParams sensor = configured_;
+  sensor.scan_period = *period;
+  if (configured_.max_speed == default_max_speed(before, scan.max_range))
+    sensor.max_speed = default_max_speed(*period, scan.max_range);
+  if (sensor.max_speed < configured_.max_speed) tell(told_speed(sensor.max_speed));
   tell(
       "scans come every " + core::shortest(*period) + " s, not every " + core::shortest(before) +
-      (go_on_at(*period)
+      (go_on_as(sensor)
            ? " s: tracking goes by that; scan_period in `sensor:` of the configuration says it from the start"
            : " s, for which this tracker cannot be made: set scan_period in `sensor:` of the configuration"));
 }
 
-/// Tracks what is remembered again, in silence, as at that period [s]. @return whether the tracker can.
-bool TrackingChain::go_on_at(double period) {
+/// Where a beam reports several returns, all of them count: false alarms are then points of a Poisson law.
+void TrackingChain::follow_returns(const core::SonarScan& scan) {
+  if (!reads_beams_ || configured_.point_sensor()) return;
+  const auto returns = several_.learn(scan);
+  if (!returns) return;
   core::SonarParams sensor = configured_;
-  sensor.scan_period = period;
+  sensor.false_alarm_probability.reset();
+  sensor.clutter_per_scan = *returns;
+  tell(go_on_as(sensor)
+           ? "beams report several returns: all of them count, " + core::shortest(*returns) +
+                 " a scan; clutter_per_scan in `sensor:` of the configuration says how many from the start"
+           : "beams report several returns, and this tracker takes the nearest of a beam alone");
+}
+
+/// Tracks what is remembered again, in silence, as of another sensor. @return whether the tracker can.
+bool TrackingChain::go_on_as(const core::SonarParams& configured) {
+  core::SonarParams sensor = configured;
   core::TrackingMemory memory{0, newest_tracks_utime_, {}, scans_.scans()};
   if (!is_restoring_) memory.tracks = newest_tracks_;  // Else nobody has heard of these identities.
   if (!memory.scans.empty()) sensor = core::with_geometry_of(memory.scans.front().scan, sensor);
@@ -192,7 +236,10 @@ bool TrackingChain::go_on_at(double period) {
   } catch (const std::invalid_argument&) {
     return false;
   }
-  configured_.scan_period = period;
+  configured_.scan_period = configured.scan_period;
+  configured_.max_speed = configured.max_speed;
+  configured_.clutter_per_scan = configured.clutter_per_scan;
+  configured_.false_alarm_probability = configured.false_alarm_probability;
   scans_.forget();
   track_again(memory, 0);
   return true;
@@ -250,6 +297,8 @@ void TrackingChain::track_again(const core::TrackingMemory& memory, std::int64_t
   identities_.expect(memory.tracks, memory.utime + step);
   core::PosedScan posed;
   for (const auto& [vehicle, scan] : memory.scans) {
+    is_halted_ = is_halted_ || stopped_();
+    if (is_halted_) break;
     posed.scan = scan;
     posed.scan.utime += step;
     posed.T_earth_sonar = core::compose(vehicle.T_earth_body, scan.T_body_sonar);

@@ -13,6 +13,7 @@
 #include "csht/estimator_registry.hpp"
 #include "tracking/intake/pace_finder.hpp"
 #include "tracking/intake/scan_intake.hpp"
+#include "tracking/intake/several_returns.hpp"
 #include "tracking/intake/view_guard.hpp"
 #include "tracking/ping_result.hpp"
 #include "tracking/restart/identity_map.hpp"
@@ -65,7 +66,13 @@ class TrackingChain {
   /// Takes a scan; its result follows when its pose is known. A bad one is counted, reported and left out.
   void add(core::SonarScan scan) { intake_.add(std::move(scan)); }
   /// A scan came for which there is no time: it is counted and left out.
-  void shed(const core::SonarScan& scan) { intake_.shed(scan); }
+  void shed(const core::SonarScan& scan) {
+    intake_.shed(scan);
+    pace_.skip(scan.sensor_id);
+  }
+  /// `stopped` is asked between scans that are tracked again, which may be many at once. From when it is true
+  /// no scan is tracked any more: for who has to end.
+  void stop_when(std::function<bool()> stopped) { stopped_ = std::move(stopped); }
   void finish();  ///< There is no more data: gives what still waits.
   /// What is known of the sensor from now on, in place of `ChainParams::sensor`. Has no effect on scans that
   /// are tracked already: asks that there are none. @throws std::invalid_argument on params out of range.
@@ -103,7 +110,8 @@ class TrackingChain {
   void go_on_from(const core::SonarScan& first);
   void suit(const core::SonarScan& first);
   void follow_pace(const core::SonarScan& scan);
-  bool go_on_at(double period);
+  void follow_returns(const core::SonarScan& scan);
+  bool go_on_as(const core::SonarParams& sensor);
   void renew(std::unique_ptr<ScanPipeline> pipeline);
   void tell(const std::string& line) const;
   void track_again(const core::TrackingMemory& memory, std::int64_t step);
@@ -123,10 +131,14 @@ class TrackingChain {
   IdentityMap identities_;
   ViewGuard view_guard_;
   PaceFinder pace_;
+  bool reads_beams_;  ///< The tracker takes one return of a beam, or all of a sensor without beams.
+  SeveralReturns several_;
   std::vector<core::Track> newest_tracks_;  ///< As they were last given.
   std::int64_t newest_tracks_utime_ = 0;
   core::Pose2 T_earth_body_;  ///< Of the scan that is tracked next.
   bool is_restoring_ = false;
+  std::function<bool()> stopped_ = [] { return false; };
+  bool is_halted_ = false;
   Report report_;
   ScanIntake intake_;
 };

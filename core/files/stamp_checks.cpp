@@ -19,6 +19,7 @@ constexpr double kCoarseDigits = 1.0;
 /// Where all times are whole multiples of so many periods, stamps were cut, or the period is another.
 constexpr double kPeriodsPerStamp = 1.1;
 constexpr std::size_t kFewestScans = 3;
+constexpr std::size_t kTellingReturns = 50;  // Fewer may lie ahead by chance.
 /// Stamps that were cut are whole multiples of this at least [us]; a driver's own clock is finer.
 constexpr std::int64_t kCoarseUnit = 500;
 constexpr double kSameBearing = 1e-9;  // [rad]
@@ -99,6 +100,8 @@ void ScanStamps::finish(std::vector<std::string>& notes) const {
 
 bool ReturnChecks::is_return(std::size_t row, const SonarReturn& one) {
   if (std::isnan(one.bearing) || std::isnan(one.range)) return silences_.add(row), false;
+  ++returns_;
+  widest_ = std::max(widest_, std::abs(one.bearing));
   if (std::abs(one.bearing) > 2.0 * std::numbers::pi) beyond_a_turn_.add(row);
   return true;
 }
@@ -115,6 +118,12 @@ void ReturnChecks::finish(std::vector<std::string>& notes) const {
   note(notes, beyond_a_turn_,
        "have a " + bearing_column_ + " beyond a full turn" +
            (bearing_column_ == "bearing_rad" ? ": if they are degrees, name the column bearing_deg" : ""));
+  // Half a turn in radians; hardly a sonar has so narrow a fan in degrees.
+  if (bearing_column_ == "bearing_deg" && returns_ >= kTellingReturns && degrees(widest_) <= std::numbers::pi)
+    notes.push_back(table_.path() + ": all " + std::to_string(returns_) +
+                    " returns have a bearing_deg within " +
+                    shortest(std::ceil(100.0 * degrees(widest_)) / 100.0) +
+                    " of ahead: if they are radians, name the column bearing_rad");
 }
 
 std::optional<std::string> coarse_stamps(const std::vector<SonarScan>& scans,

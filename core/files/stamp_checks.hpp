@@ -65,6 +65,8 @@ class ReturnChecks {
   const CsvTable& table_;
   std::string bearing_column_;
   Count silences_, beyond_a_turn_;
+  std::size_t returns_ = 0;
+  double widest_ = 0.0;  ///< Bearing of them all, to either side [rad].
 };
 
 /// A line where every scan's time is a whole multiple of more than the period that the recording states;

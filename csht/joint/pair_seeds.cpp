@@ -18,6 +18,17 @@ constexpr double kMembershipGate = 16.0;  // Squared distance in sigmas beyond w
 constexpr double kWeakPosition = 1e4;     // Variance of the prior on position [m^2]: keeps the fit solvable.
 constexpr std::size_t kReserve = 8192;    // Pairs for which memory is kept from the start.
 
+// What a search may cost, whatever comes: bounds of ours, twice what a sea with everything at once asks for
+// (sea_all.yaml, seed 3).
+constexpr std::size_t kMostTried = 2'000'000;  // Pairs that are looked at,
+constexpr std::size_t kMostPairs = 32'768;     // kept,
+constexpr std::size_t kMostScores = 450'000;   // and scored, times scans; of points, times so many of them.
+constexpr std::size_t kPointsPerScore = 32;
+
+std::size_t ceil_div(std::size_t a, std::size_t b) {
+  return (a + b - 1) / b;
+}
+
 // Of what a beam heard: of uneven beams in proportion to its width.
 double bearing_sigma_at(const ScanTable& scan, int beam, const SensorFigures& figures) {
   if (!scan.uneven()) return figures.bearing_sigma;
@@ -125,10 +136,10 @@ std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const 
   prior_ = prior;
   scans_ = &likelihood.scans();
   collect_free_detections(likelihood);
-  pair_detections();
-  if (scores_.empty()) return seeds_;
   const int window = longest_window();
   const int first_look = std::min(window, oldest_within(params_.first_look_s, *scans_));
+  pair_detections(first_look);
+  if (scores_.empty()) return seeds_;
   score(likelihood, first_look);
   if (window > first_look) {
     keep_best(static_cast<std::size_t>(params_.first_look_keep));
@@ -168,16 +179,41 @@ bool PairSeeds::explained(const ScanLikelihood& likelihood, int age, std::size_t
          params_.explained;
 }
 
-void PairSeeds::pair_detections() {
-  pairs_.resize(0);
-  scores_.clear();
+// Most pairs that are scored back to age `first_look`.
+std::size_t PairSeeds::most_pairs(int first_look) const {
+  const ScanTable& newest = scans_->newest();
+  const std::size_t points = newest.clutter == ClutterModel::point ? newest.detections.size() : 0;
+  const std::size_t cost = (static_cast<std::size_t>(first_look) + 1) *
+                           std::max<std::size_t>(1, ceil_div(points, kPointsPerScore));
+  return std::clamp<std::size_t>(kMostScores / cost, 1, kMostPairs);
+}
+
+// Calls `use` for each pair that a target may have made; of too many older detections every so many-th stands
+// for all.
+template <class Use>
+void PairSeeds::for_each_pair(const Use& use) const {
   const double sigma = scans_->figures().range_sigma;
-  for (const SeedPoint& older : older_) {
+  const std::size_t stride = std::max<std::size_t>(1, ceil_div(older_.size() * newest_.size(), kMostTried));
+  for (std::size_t k = 0; k < older_.size(); k += stride) {
+    const SeedPoint& older = older_[k];
     const double seconds = -scans_->seconds_at_age(older.age);
     const double reach = prior_.max_speed() * seconds + 2.0 * std::numbers::sqrt2 * sigma;
     for (const SeedPoint& newest : newest_)
-      if ((newest.position - older.position).squaredNorm() <= reach * reach) add_pair(newest, older, seconds);
+      if ((newest.position - older.position).squaredNorm() <= reach * reach) use(newest, older, seconds);
   }
+}
+
+// Of more pairs than can be scored every so many-th stands for all.
+void PairSeeds::pair_detections(int first_look) {
+  pairs_.resize(0);
+  scores_.clear();
+  std::size_t count = 0, next = 0;
+  for_each_pair([&count](const SeedPoint&, const SeedPoint&, double) { ++count; });
+  const std::size_t stride = std::max<std::size_t>(1, ceil_div(count, most_pairs(first_look)));
+  for_each_pair([&](const SeedPoint& newest, const SeedPoint& older, double seconds) {
+    if (next++ % stride == 0) add_pair(newest, older, seconds);
+  });
+  num_pairs_ = scores_.size();
   sum_.assign(scores_.size(), 0.0);
   scored_to_ = -1;
 }

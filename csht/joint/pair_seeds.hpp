@@ -45,6 +45,9 @@ struct LineFit {
 /// dimensions. Each pair is scored scan by scan into the past, under a likelihood with softened beam edges;
 /// its best sum says since when it may be there. The best pairs are refined by least squares, in which each
 /// detection has the probability of being the target's as its weight. docs/joint_estimator.md.
+///
+/// Work and memory are bounded by counts, never by a clock: of more detections or pairs than a search can
+/// take every so many-th stands for all.
 class PairSeeds {
  public:
   /// @param params validated.
@@ -53,6 +56,7 @@ class PairSeeds {
   /// Seeds at the newest scan, most probable first; valid until the next call.
   /// @param likelihood with the claims of all tracks. @param prior of the targets.
   std::span<const BirthSeed> propose(ScanLikelihood& likelihood, const TargetPrior& prior);
+  std::size_t num_pairs() const { return num_pairs_; }  ///< That were scored by the last call.
 
  private:
   struct SeedPoint {
@@ -65,7 +69,10 @@ class PairSeeds {
   };
 
   void collect_free_detections(const ScanLikelihood& likelihood);
-  void pair_detections();
+  template <class Use>
+  void for_each_pair(const Use& use) const;
+  std::size_t most_pairs(int first_look) const;
+  void pair_detections(int first_look);
   void add_pair(const SeedPoint& newest, const SeedPoint& older, double seconds);
   void score(ScanLikelihood& likelihood, int oldest);
   void keep_best(std::size_t count);
@@ -84,6 +91,7 @@ class PairSeeds {
   const ScanHistory* scans_ = nullptr;  ///< Of the call to `propose` that runs.
   std::vector<SeedPoint> newest_, older_;
   TrajectoryCloud pairs_;
+  std::size_t num_pairs_ = 0;
   std::vector<Score> scores_;
   std::vector<double> sum_, step_;
   int scored_to_ = -1;  ///< Age of the oldest scan in `sum_`.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "csht/likelihood/fast_math.hpp"
@@ -23,6 +24,19 @@ Shape shape_of(const ScanTable& scan, const Tolerance& tolerance) {
   return {scan.gain * scale * scale, scan.inverse_sigma * scale, scan.inverse_bearing_sigma * scale};
 }
 
+// Beyond so many sigmas a return adds nothing that a float could hold: exp(-40).
+constexpr float kGate = 9.0F;
+// Up to here a bearing of a sector does not come near another one the wrong way round [rad].
+constexpr float kWidestSector = 2.0F, kWidestGate = 0.5F;
+
+// Where the targets of a block are; a return outside of it is no target's.
+struct Box {
+  float nearest, farthest, first, last;
+  bool holds(float range, float bearing) const {
+    return range >= nearest && range <= farthest && bearing >= first && bearing <= last;
+  }
+};
+
 struct Block {
   const float* range;    // From the sonar [m].
   const float* bearing;  // From the sector's middle [rad].
@@ -34,6 +48,18 @@ inline __attribute__((always_inline)) float wrapped(float angle) {
   constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
   angle = angle > 0.5F * kTurn ? angle - kTurn : angle;
   return angle < -0.5F * kTurn ? angle + kTurn : angle;
+}
+
+Box box_of(const ScanTable& scan, const Shape& shape, std::span<const float> range,
+           std::span<const float> bearing) {
+  const auto [nearest, farthest] = std::minmax_element(range.begin(), range.end());
+  const auto [first, last] = std::minmax_element(bearing.begin(), bearing.end());
+  const float down = kGate / shape.inverse_sigma, across = kGate / shape.inverse_bearing_sigma;
+  Box box{*nearest - down, *farthest + down, *first - across, *last + across};
+  if (scan.half_sector <= kWidestSector && across <= kWidestGate) return box;
+  box.first = -std::numeric_limits<float>::infinity();
+  box.last = std::numeric_limits<float>::infinity();
+  return box;
 }
 
 LOOKOUT_VECTOR_CLONES
@@ -88,7 +114,9 @@ void find_point_ratios(const ScanTable& scan, const BeamMask* mask, std::span<co
   std::fill(ratio.begin(), ratio.end(), scan.base[1]);
   if (find_lost_shares(static_cast<float>(scan.max_range), shape.inverse_sigma, range, lost))
     for (std::size_t i = 0; i < range.size(); ++i) ratio[i] += scan.lost[1] * lost[i];
+  const Box box = box_of(scan, shape, range, bearing);
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
+    if (!box.holds(static_cast<float>(scan.detections[j].range), scan.bearing_from_axis[j])) continue;
     const float free = mask == nullptr ? 1.0F : 1.0F - mask->share[j];
     const float gain = shape.gain * scan.background[j] * free;
     add_point(shape, gain, static_cast<float>(scan.detections[j].range), scan.bearing_from_axis[j], block);

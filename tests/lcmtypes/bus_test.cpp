@@ -1,6 +1,10 @@
 #include "lcmtypes/bus.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+
+#include <csignal>
 
 #include "core/input_error.hpp"
 #include "tests/lcmtypes/example_messages.hpp"
@@ -94,6 +98,55 @@ TEST(Bus, WritesAFileThatReadsBackToItsEnd) {
   }
   EXPECT_EQ(seen, 5);
   EXPECT_EQ(reader.handle_for(milliseconds(1000)), Bus::Heard::closed);
+}
+
+/// No file grows beyond this while it lives: what a full disk looks like.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) {
+    getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    handler_ = std::signal(SIGXFSZ, SIG_IGN);
+  }
+  ~FullDisk() {
+    setrlimit(RLIMIT_FSIZE, &before_);
+    std::signal(SIGXFSZ, handler_);
+  }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+
+ private:
+  rlimit before_{};
+  void (*handler_)(int) = SIG_DFL;
+};
+
+// LCM writes through a buffer of the C library and looks at none of its errors.
+TEST(Bus, SaysWhatOfALogIsNotOnTheDisk) {
+  const tests::TemporaryDirectory directory;
+  const std::string log = directory.file("cut.lcm");
+  const FullDisk disk(600);
+  Bus writer("file://" + log + "?mode=w");
+  for (int i = 0; i < 5; ++i) writer.publish("SONAR_SCAN", to_wire(tests::example_scan()));
+  EXPECT_NE(writer.close_log().find(log + ": only 600 of "), std::string::npos);
+}
+
+TEST(Bus, ALogThatIsWholeAndALinkLackNothing) {
+  const tests::TemporaryDirectory directory;
+  const std::string log = directory.file("whole.lcm");
+  Bus writer("file://" + log + "?mode=w");
+  for (int i = 0; i < 5; ++i) writer.publish("SONAR_SCAN", to_wire(tests::example_scan()));
+  EXPECT_EQ(writer.close_log(), "");
+  EXPECT_EQ(Bus("file://" + log).close_log(), "");
+  EXPECT_EQ(Bus("memq://").close_log(), "");
+}
+
+// The open would wait for the other end, and SIGTERM with it.
+TEST(Bus, RefusesAPipe) {
+  const tests::TemporaryDirectory directory;
+  ASSERT_EQ(mkfifo(directory.file("pipe").c_str(), 0600), 0);
+  EXPECT_THROW(Bus("file://" + directory.file("pipe")), core::InputError);
+  EXPECT_THROW(Bus("file://" + directory.file("pipe") + "?mode=w"), core::InputError);
 }
 
 TEST(Bus, ADotInAChannelIsItself) {

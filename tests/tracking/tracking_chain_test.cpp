@@ -198,8 +198,10 @@ struct FollowingChain {
 
 /// A chain that says for which sensors its pipelines were made, and what it told.
 struct ToldChain {
-  void scan(double seconds, std::int64_t sequence, double max_range) {
+  void scan(double seconds, std::int64_t sequence, double max_range,
+            std::vector<core::SonarReturn> returns = {}) {
     core::SonarScan scan;
+    scan.returns = std::move(returns);
     scan.utime = core::microseconds(seconds);
     scan.sequence = sequence;
     scan.bearing_step = 0.1;
@@ -232,6 +234,14 @@ TEST(TrackingChainPace, GoesByTheScansAndKeepsGeometryAndIdentities) {
             "configuration says it from the start");
 }
 
+// At 3 m/s a target crosses the view of 100 m between two scans a minute apart: half of it is looked for.
+TEST(TrackingChainPace, LooksForNoTargetThatCrossesTheViewBetweenTwoScans) {
+  ToldChain told;
+  for (int k = 0; k < 10; ++k) told.scan(60.0 * k, k, 100.0);
+  EXPECT_DOUBLE_EQ(told.sensors.back().max_speed, 0.5 * 100.0 / 60.0);
+  EXPECT_EQ(told.ids, std::vector<std::int64_t>(10, 1));
+}
+
 TEST(TrackingChainPace, SaysWhereTheTrackerCannotBeMadeForIt) {
   std::vector<std::string> lines;
   int scans = 0;
@@ -254,6 +264,27 @@ TEST(TrackingChainPace, SaysWhereTheTrackerCannotBeMadeForIt) {
   }
   EXPECT_EQ(scans, 10);
   EXPECT_NE(lines.back().find("for which this tracker cannot be made"), std::string::npos);
+}
+
+// No message says that all returns of a beam count: the twelfth scan shows it, of two returns in one beam
+// each.
+TEST(TrackingChainReturns, ReadsABeamOfSeveralReturnsAsPoints) {
+  ToldChain told;
+  for (int k = 0; k < 14; ++k) told.scan(0.5 * k, k, 100.0, {{0.0, 20.0 + k}, {0.0, 40.0 + k}});
+  EXPECT_EQ(told.ids, std::vector<std::int64_t>(14, 1));
+  ASSERT_TRUE(told.sensors.back().point_sensor());
+  EXPECT_EQ(*told.sensors.back().clutter_per_scan, 2.0);
+  EXPECT_EQ(told.lines.back(),
+            "beams report several returns: all of them count, 2 a scan; clutter_per_scan in `sensor:` of the "
+            "configuration says how many from the start");
+}
+
+// What is tracked again may be many scans at once; who must end does not wait for them.
+TEST(TrackingChainReturns, TracksNothingMoreOnceItIsStopped) {
+  ToldChain told;
+  told.chain.stop_when([] { return true; });
+  for (int k = 0; k < 14; ++k) told.scan(0.5 * k, k, 100.0, {{0.0, 20.0 + k}, {0.0, 40.0 + k}});
+  EXPECT_EQ(told.ids.size(), 11u);  // Until the twelfth scan asks for the others to be tracked again.
 }
 
 // The default of 3 m is that of a sonar of 150 m.

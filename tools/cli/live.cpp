@@ -58,7 +58,11 @@ std::unique_ptr<lcmtypes::Bus> open_when_possible(const std::string& url,
   }
 }
 
-int end_of_link(const lcmtypes::Bus& bus) {
+int end_of_link(lcmtypes::Bus& bus) {
+  if (const std::string missing = bus.close_log(); !missing.empty()) {
+    log_warning("log: " + missing);
+    return 1;
+  }
   if (!bus.lost_server()) return 0;
   log_warning("link: the server of the transport is gone or was never there");
   return 1;

@@ -19,7 +19,8 @@ lcmtypes::LoopLimits loop_limits(const Options& options);
 std::unique_ptr<lcmtypes::Bus> open_when_possible(const std::string& url, const lcmtypes::LoopLimits& limits);
 
 /// The exit status of a live command that has ended: 1, told, where its transport's server is gone, so that a
-/// service is started again.
-int end_of_link(const lcmtypes::Bus& bus);
+/// service is started again, or where the log that it wrote is not whole on the disk. After it the bus is
+/// closed where it was such a log.
+int end_of_link(lcmtypes::Bus& bus);
 
 }  // namespace lookout::tools

@@ -75,6 +75,8 @@ std::string describe(const tracking::IntakeCounts& counts) {
   add(counts.resets, "new clocks");
   add(counts.silent_returns, "returns of inf, NaN or 0 taken as silences");
   add(counts.dropped_returns, "returns out of bounds");
+  add(counts.ringing_returns, "returns of a ring-down left out");
+  add(counts.shed_returns, "returns shed, of scans with too many");
   add(counts.repeated, "scans that repeat the one before to the bit");
   add(counts.bad_states, "vehicle states rejected");
   return line;

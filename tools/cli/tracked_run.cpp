@@ -45,22 +45,30 @@ void write_ospa(const std::string& path, const TrackedRun& run, tracking::Scorer
 }
 
 /// What came in and what became of it: scans = tracked + the seven reasons, and so on.
+/// Of what seldom comes, where it came.
 nlohmann::ordered_json received(const tracking::IntakeCounts& counts) {
-  return {{"scans", counts.received},
-          {"tracked", counts.accepted},
-          {"no_pose", counts.no_pose},
-          {"damaged", counts.damaged},
-          {"out_of_time", counts.out_of_time},
-          {"frozen", counts.frozen},
-          {"foreign", counts.foreign},
-          {"contradicting", counts.contradicting},
-          {"shed", counts.shed},
-          {"returns", counts.returns},
-          {"returns_silent", counts.silent_returns},
-          {"returns_out_of_bounds", counts.dropped_returns},
-          {"vehicle_states", counts.states},
-          {"vehicle_states_believed", counts.accepted_states},
-          {"vehicle_states_rejected", counts.bad_states}};
+  nlohmann::ordered_json all{{"scans", counts.received},
+                             {"tracked", counts.accepted},
+                             {"no_pose", counts.no_pose},
+                             {"damaged", counts.damaged},
+                             {"out_of_time", counts.out_of_time},
+                             {"frozen", counts.frozen},
+                             {"foreign", counts.foreign},
+                             {"contradicting", counts.contradicting},
+                             {"shed", counts.shed},
+                             {"returns", counts.returns},
+                             {"returns_silent", counts.silent_returns},
+                             {"returns_out_of_bounds", counts.dropped_returns},
+                             {"vehicle_states", counts.states},
+                             {"vehicle_states_believed", counts.accepted_states},
+                             {"vehicle_states_rejected", counts.bad_states}};
+  const auto add = [&all](const char* what, std::int64_t count) {
+    if (count != 0) all[what] = count;
+  };
+  add("returns_ringing", counts.ringing_returns);
+  add("returns_shed", counts.shed_returns);
+  add("returns_behind", counts.returns_behind);
+  return all;
 }
 
 void write_summary(const std::string& path, const TrackedRun& run, const Configuration& configuration,

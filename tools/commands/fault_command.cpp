@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/input_error.hpp"
 #include "tools/cli/live.hpp"
 #include "tools/cli/log.hpp"
@@ -31,7 +33,8 @@ int fault_command(const Options& options) {
   log_info("fault: " + described("scans", node.counts(Stream::scan)) + "; " +
            described("vehicle states", node.counts(Stream::vehicle)) + "; " +
            described("images", node.counts(Stream::image)));
-  return end_of_link(*from);
+  const int written = other ? end_of_link(*other) : 0;
+  return std::max(written, end_of_link(*from));
 }
 
 }  // namespace lookout::tools

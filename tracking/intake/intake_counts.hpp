@@ -23,6 +23,12 @@ struct IntakeCounts {
   std::int64_t returns = 0;          ///< Of accepted scans, those that are dropped below included.
   std::int64_t silent_returns = 0;   ///< NaN, infinite or of range 0: silences, of accepted pings.
   std::int64_t dropped_returns = 0;  ///< Returns out of bounds, of accepted pings.
+  std::int64_t ringing_returns = 0;  ///< Returns of the transducer's own ring-down, of accepted pings.
+  std::int64_t shed_returns = 0;     ///< Returns left out because their scan held too many, likewise.
+  std::int64_t returns_behind = 0;   ///< Returns with a nearer one in their beam, of accepted pings of a
+                                     ///< sensor with beams. Where they are few the nearest alone counts.
+  std::int64_t crowded = 0;          ///< Accepted pings that held too many.
+  std::int64_t ringing = 0;          ///< Accepted pings with a ring-down that was left out.
   std::int64_t repeated = 0;         ///< Pings with the content of the one before, to the bit.
   std::int64_t off_pace = 0;         ///< Pings a hundred times too fast or slow: stamps in another unit?
   std::int64_t other_geometry = 0;   ///< Accepted pings whose geometry is not the configured one.

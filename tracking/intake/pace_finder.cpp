@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "core/frames.hpp"
 
@@ -44,11 +45,17 @@ std::optional<double> PaceFinder::pace() const {
   return fastest;
 }
 
+void PaceFinder::skip(std::int32_t sensor_id) {
+  const auto found = streams_.find(sensor_id);
+  if (found != streams_.end()) found->second.has_gap = true;
+}
+
 std::optional<double> PaceFinder::learn(const Ping& ping) {
   const auto found = streams_.try_emplace(ping.sensor_id, Stream{ping, {}, 0}).first;
   Stream& stream = found->second;
   const double step = core::seconds(ping.utime - stream.last.utime);
-  if (step > 0.0) stream.steps[stream.count++ % kSteps] = {step, ping.sequence - stream.last.sequence};
+  if (!std::exchange(stream.has_gap, false) && step > 0.0)
+    stream.steps[stream.count++ % kSteps] = {step, ping.sequence - stream.last.sequence};
   stream.last = ping;
   if (const auto own = middle(stream)) forget_slower_than(*own, ping.utime);
   const auto pace = this->pace();

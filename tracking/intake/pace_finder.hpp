@@ -34,6 +34,8 @@ class PaceFinder {
   /// below the configured one.
   std::optional<double> learn(const Ping& ping);
 
+  /// A ping of this sensor was left out on purpose: the step across it says nothing.
+  void skip(std::int32_t sensor_id);
   void begin_new_clock() { streams_.clear(); }  ///< The next ping makes no step. What is in use stays.
 
  private:
@@ -47,6 +49,7 @@ class PaceFinder {
     Ping last;
     std::array<Step, kSteps> steps{};  ///< A ring.
     std::size_t count = 0;             ///< Steps so far.
+    bool has_gap = false;              ///< Pings were left out since the last.
   };
 
   static std::optional<double> middle(const Stream& stream);

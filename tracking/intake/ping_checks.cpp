@@ -83,12 +83,16 @@ bool bring_into_sector(const core::SonarScan& scan, core::SonarReturn& one) {
   const double offset = one.bearing - middle;
   // Left as it came where it is near already: the same bits in every way that a scan can take.
   if (!within(offset, std::numbers::pi)) one.bearing = middle + std::remainder(offset, kFullTurn);
-  if (scan.fan) return scan.fan->beam_of(one.bearing) >= 0;
-  const long beam = std::lround((one.bearing - scan.first_bearing) / scan.bearing_step);
+  const int beam = beam_of(scan, one.bearing);
   return beam >= 0 && beam < scan.num_beams;
 }
 
 }  // namespace
+
+int beam_of(const core::SonarScan& scan, double bearing) {
+  if (scan.fan) return scan.fan->beam_of(bearing);
+  return static_cast<int>(std::lround((bearing - scan.first_bearing) / scan.bearing_step));
+}
 
 std::string_view defect(const core::SonarScan& scan) {
   if (const auto header = header_defect(scan, scan.num_beams); !header.empty()) return header;

@@ -30,6 +30,10 @@ std::string_view defect(const core::SonarScan& scan);
 std::string_view defect(const core::SonarImage& image);    ///< Likewise.
 std::string_view defect(const core::VehicleState& state);  ///< Likewise.
 
+/// The beam whose centre is nearest to a bearing [rad] of the sonar frame; outside the fan one that is not
+/// there.
+int beam_of(const core::SonarScan& scan, double bearing);
+
 /// Returns that were taken out of a ping.
 struct DroppedReturns {
   int silent = 0;  ///< NaN, infinite or of range 0, and three or more at the very maximum: how drivers say

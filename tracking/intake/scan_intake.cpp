@@ -252,6 +252,7 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   ledger_.counts.dropped_returns += dropped.out_of_bounds;
   ++ledger_.counts.accepted;
   accepted_ = ping.utime;
+  sensor.guards.leave_out(ping);
   if (sink_.pose) sink_.pose(T_earth_body);
   sink_.accept(posed_);
 }

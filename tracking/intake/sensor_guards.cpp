@@ -5,6 +5,7 @@
 
 #include "core/files/csv.hpp"
 #include "core/files/time_text.hpp"
+#include "tracking/intake/crowded_scan.hpp"
 #include "tracking/intake/intake_words.hpp"
 #include "tracking/intake/ping_content.hpp"
 
@@ -34,6 +35,9 @@ UnitGuard::Ranges ranges_of(const core::SonarScan& scan, const DroppedReturns& d
 UnitGuard::Ranges ranges_of(const core::SonarImage& /*image*/, const DroppedReturns& /*dropped*/) {
   return {};
 }
+
+/// A ring-down is sharper than this share of the maximum range, whatever range_sigma says.
+constexpr double kSharpShare = 0.02;
 
 }  // namespace
 
@@ -96,7 +100,12 @@ bool SensorGuards::is_frozen(const Ping& ping) {
     ledger_->report(described(ping) + " repeats the one before to the bit: is the sensor frozen?" +
                     so_far(ledger_->counts.repeated));
   repeats_ = repeats ? repeats_ + 1 : 0;
-  return repeats_ > 1;
+  // A message that came twice under another stamp is no chance either.
+  const auto known = heard_.begin() + static_cast<std::ptrdiff_t>(std::min(num_heard_, kRemembered));
+  const bool doubled = repeats && std::any_of(heard_.begin(), known, [&ping](const Heard& other) {
+                         return other.utime < ping.utime && ping.utime - other.utime < UnitGuard::kFastest;
+                       });
+  return repeats_ > 1 || doubled;
 }
 
 template <class Ping>
@@ -121,6 +130,24 @@ DroppedReturns SensorGuards::drop_returns_of(Ping& ping) {
   return dropped;
 }
 
+template <class Ping>
+void SensorGuards::leave_out(Ping& ping) {
+  IntakeCounts& counts = ledger_->counts;
+  const double sharp = std::min(configured_->range_sigma, kSharpShare * geometry_of(ping).max_range);
+  const std::int64_t ringing = ring_.drop(ping, sharp);
+  const std::size_t most = most_returns(configured_->scan_period);
+  const std::int64_t shed = thin_out(ping, most);
+  counts.ringing_returns += ringing;
+  counts.shed_returns += shed;
+  if (!configured_->point_sensor()) counts.returns_behind += returns_behind(ping, beams_heard_);
+  if (ringing > 0 && worth_a_line(++counts.ringing))
+    ledger_->report(described(ping) + ": " + std::to_string(ringing) +
+                    " returns are the transducer's ring-down and left out" + so_far(counts.ringing));
+  if (shed > 0 && worth_a_line(++counts.crowded))
+    ledger_->report(described(ping) + " holds more than " + std::to_string(most) + " returns, " +
+                    std::to_string(shed) + " are left out" + so_far(counts.crowded));
+}
+
 std::string_view SensorGuards::contradiction(const DroppedReturns& dropped, int all, std::int64_t utime) {
   if (!outside_.contradict(dropped.out_of_bounds, all, utime)) return {};
   return "most of its returns suddenly lie outside of its beams or range: degrees, another unit?";
@@ -139,6 +166,8 @@ template void SensorGuards::look_at(const core::SonarScan& ping);
 template void SensorGuards::look_at(const core::SonarImage& ping);
 template bool SensorGuards::is_frozen(const core::SonarScan& ping);
 template bool SensorGuards::is_frozen(const core::SonarImage& ping);
+template void SensorGuards::leave_out(core::SonarScan& ping);
+template void SensorGuards::leave_out(core::SonarImage& ping);
 template DroppedReturns SensorGuards::drop_returns_of(core::SonarScan& ping);
 template DroppedReturns SensorGuards::drop_returns_of(core::SonarImage& ping);
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/sequence_gaps.hpp"
 #include "core/sonar_params.hpp"
@@ -14,6 +15,7 @@
 #include "tracking/intake/intake_counts.hpp"
 #include "tracking/intake/outside_returns.hpp"
 #include "tracking/intake/ping_checks.hpp"
+#include "tracking/intake/ring_down.hpp"
 #include "tracking/intake/sender_guard.hpp"
 #include "tracking/intake/unit_guard.hpp"
 
@@ -55,6 +57,10 @@ class SensorGuards {
   /// Gives a scan the fan that its message could not carry, and takes silences and returns out of bounds out.
   template <class Ping>
   DroppedReturns drop_returns_of(Ping& ping);
+  /// Takes out of a ping that is accepted what the transducer's own ring-down is, and of a crowded scan what
+  /// is too much; counts and tells both.
+  template <class Ping>
+  void leave_out(Ping& ping);
   /// Why a ping contradicts its own geometry, empty for not. @param all returns of it. @param utime [us].
   std::string_view contradiction(const DroppedReturns& dropped, int all, std::int64_t utime);
 
@@ -83,6 +89,8 @@ class SensorGuards {
   std::int64_t changes_ = 0;      ///< Times that the geometry became another, not the configured one.
   FanFinder fan_;
   UnitGuard units_;
+  RingDown ring_;
+  std::vector<char> beams_heard_;
   std::size_t content_ = 0;  ///< Of the last ping, as a hash; 0 for too little to tell.
   int repeats_ = 0;          ///< Pings in a row with that content, beyond the first.
 };

@@ -25,9 +25,11 @@ UnitGuard::Pace UnitGuard::judge_pace(std::int64_t utime) {
   const Pace pace = step > slow_               ? Pace::too_slow
                     : step > 0 && step < fast_ ? Pace::too_fast
                                                : Pace::plausible;
-  alike_ = pace == pace_ ? std::min(alike_ + 1, kShown) : 1;
+  alike_ = pace == pace_ ? std::min(alike_ + 1, 2 * kShown) : 1;
   pace_ = pace;
-  return alike_ >= kShown ? pace : Pace::plausible;
+  // A slow one that goes on is told and done with: tracking has taken it for the sensor's own by then.
+  const bool settled = pace == Pace::too_slow && alike_ >= 2 * kShown;
+  return alike_ >= kShown && !settled ? pace : Pace::plausible;
 }
 
 std::string UnitGuard::doubt_ranges(const Ranges& ranges) {

@@ -46,6 +46,8 @@ HealthSample NodeHealth::change() const {
   recent.send_errors -= oldest.send_errors;
   recent.returns -= oldest.returns;
   recent.dropped_returns -= oldest.dropped_returns;
+  recent.crowded -= oldest.crowded;
+  recent.shed_returns -= oldest.shed_returns;
   recent.contradicting -= oldest.contradicting;
   recent.repeated -= oldest.repeated;
   recent.off_pace -= oldest.off_pace;
@@ -81,6 +83,11 @@ void NodeHealth::judge_input() {
 
 void NodeHealth::judge_overload(const HealthSample& recent) {
   if (recent.shed > 0) blame(NodeState::overloaded, in_window(recent.shed, "scans shed"));
+  if (recent.crowded > 0)
+    blame(NodeState::overloaded, in_window(recent.crowded, "scans with too many returns")
+                                     .append(": ")
+                                     .append(std::to_string(recent.shed_returns))
+                                     .append(" left out"));
 }
 
 void NodeHealth::judge_quality(const HealthSample& recent) {

@@ -19,6 +19,8 @@ struct HealthSample {
   std::int64_t send_errors = 0;      ///< Messages that the system refused to send.
   std::int64_t returns = 0;          ///< Of accepted pings, those left out included.
   std::int64_t dropped_returns = 0;  ///< Of those, out of bounds.
+  std::int64_t crowded = 0;          ///< Accepted pings with more returns than are tracked,
+  std::int64_t shed_returns = 0;     ///< and those that were left out of them.
   std::int64_t contradicting = 0;    ///< Pings refused for what they contradict.
   std::int64_t repeated = 0;         ///< Pings with the content of the one before.
   std::int64_t off_pace = 0;         ///< Pings a hundred times too fast or slow by their stamps.

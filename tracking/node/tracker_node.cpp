@@ -14,6 +14,7 @@ namespace lookout::tracking {
 namespace {
 
 constexpr int kSecondsBetweenStates = 2;
+constexpr std::chrono::milliseconds kWorkAtStop{100};  // After the signal.
 
 /// How a ping comes over the wire.
 template <class Ping>
@@ -115,16 +116,27 @@ template <class Chain>
 void ChainNode<Chain>::run(const lcmtypes::LoopLimits& limits) {
   lcmtypes::NodeLoop loop(bus_, limits, [this, &limits] { every_second(limits); });
   loop.work_by([this] { return work(); });
+  if constexpr (requires { chain_->stop_when([] { return false; }); })
+    chain_->stop_when([this, &limits] { return must_end(limits); });
   loop.run();
   bus_.drain();
-  // An overloaded node that is told to stop does not work off its queue first: that could take minutes.
-  if (limits.stopped() && node_.health().state() == NodeState::overloaded)
-    while (pings_waiting_ > 0) shed_oldest();
-  while (work()) {
-  }
+  // A node that is told to stop works off what has arrived, but not for long: what waits beyond is shed.
+  while (work())
+    if (must_end(limits))
+      while (pings_waiting_ > 0) shed_oldest();
   chain_->finish();
   publish_status();
   save_state();
+  if constexpr (requires { chain_->stop_when({}); }) chain_->stop_when([] { return false; });
+}
+
+/// Whether a stop signal came so long ago that no more work is begun.
+template <class Chain>
+bool ChainNode<Chain>::must_end(const lcmtypes::LoopLimits& limits) {
+  if (!limits.stopped()) return false;
+  const auto now = PingNode::Clock::now();
+  if (!stopped_at_) stopped_at_ = now;
+  return now - *stopped_at_ > kWorkAtStop;
 }
 
 /// An identity is kept before it is told: after a restart its track would else have another one.
@@ -156,6 +168,8 @@ void ChainNode<Chain>::publish_status() {
   sample.states = counts.states;
   sample.returns = counts.returns;
   sample.dropped_returns = counts.dropped_returns;
+  sample.crowded = counts.crowded;
+  sample.shed_returns = counts.shed_returns;
   sample.repeated = counts.repeated;
   sample.contradicting = counts.contradicting;
   sample.off_pace = counts.off_pace + stamps_.doubted();

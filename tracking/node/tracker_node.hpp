@@ -5,6 +5,7 @@
 #include <deque>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -58,6 +59,7 @@ class ChainNode {
   void take(std::variant<core::VehicleState, Ping> data);
   void watch_stamps(std::int64_t utime);
   void shed_oldest();
+  bool must_end(const lcmtypes::LoopLimits& limits);
   bool work();
   void handle(Arrived arrived);
   void publish(const PingResult& result);
@@ -74,7 +76,8 @@ class ChainNode {
   std::deque<Arrived> queue_;
   std::size_t pings_waiting_ = 0;
   StampClock stamps_;
-  int seconds_ = 0;                 // Of status, since the state was kept.
+  std::optional<PingNode::Clock::time_point> stopped_at_;  // When a stop signal was first seen.
+  int seconds_ = 0;                                        // Of status, since the state was kept.
   std::vector<std::int64_t> kept_;  // Confirmed identities in the state as it was last kept.
 };
 

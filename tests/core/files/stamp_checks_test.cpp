@@ -90,6 +90,21 @@ TEST(StampChecks, DegreesAreReadUnderTheirNameAndSuspectedUnderTheOther) {
             std::string::npos);
 }
 
+// Beams to 45 degrees either side, as radians; a fan of degrees that is wider says nothing.
+TEST(StampChecks, RadiansUnderTheNameOfDegreesAreSuspected) {
+  std::string radians, usual;
+  for (int k = 0; k < 60; ++k) {
+    radians += "0," + std::to_string(0.78 - 0.026 * k) + ",5,1\n";
+    usual += "0," + std::to_string(45.0 - 1.5 * k) + ",5,1\n";
+  }
+  const auto suspects = [](const std::string& rows, const std::string& column) {
+    return StampedRecording(rows, column).notes().find("name the column bearing_rad") != std::string::npos;
+  };
+  EXPECT_TRUE(suspects(radians, "bearing_deg"));
+  EXPECT_FALSE(suspects(usual, "bearing_deg"));
+  EXPECT_FALSE(suspects(radians, "bearing_rad"));
+}
+
 TEST(StampChecks, AnIdentityTwiceAtOneTimeIsRefused) {
   const tests::TemporaryDirectory folder;
   const auto path = folder.write("truth.csv", "time_s,id,north_m,east_m\n0,1,0,0\n0,1,5,0\n");

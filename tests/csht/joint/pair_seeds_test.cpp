@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "core/frames.hpp"
+#include "core/random.hpp"
 #include "tests/support/sonar_scene.hpp"
 
 namespace lookout::csht {
@@ -65,6 +68,26 @@ TEST(PairSeeds, InDenseClutterATargetIsWeighedOverMoreScans) {
   const auto seeds = birth.propose(likelihood, TargetPrior());
   ASSERT_FALSE(seeds.empty());
   EXPECT_GT(seeds[0].window, clear);
+}
+
+// 800 returns a scan make 6.4 million pairs with the ten scans before; a target among them is found all the
+// same. The bound is that of pair_seeds.cpp.
+TEST(PairSeeds, AreBoundedInAFlood) {
+  ScanLikelihood likelihood({}, {}, {}, 60, kOwners);
+  core::Random random(4);
+  for (int k = 0; k < 12; ++k) {
+    std::vector<Eigen::Vector2d> places{{8.0 + 0.5 * k, 0.0}};
+    for (int i = 0; i < 800; ++i)
+      places.push_back(core::from_polar(random.uniform(20.0, 140.0), random.uniform(-0.7, 0.7)));
+    likelihood.push(scan_of(k, places));
+  }
+  PairSeeds birth({});
+  const auto seeds = birth.propose(likelihood, TargetPrior());
+  EXPECT_GT(birth.num_pairs(), 10'000u);
+  EXPECT_LE(birth.num_pairs(), 32'768u);
+  EXPECT_TRUE(std::any_of(seeds.begin(), seeds.end(), [](const BirthSeed& seed) {
+    return (seed.guess.mean.head<2>() - Eigen::Vector2d(13.5, 0.0)).norm() < 2.0;
+  }));
 }
 
 // Three exact detections of a line fix it: position at time 0 is 10, velocity 2.

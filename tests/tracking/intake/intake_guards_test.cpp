@@ -63,6 +63,34 @@ TEST_F(IntakeGuardsTest, TellsOfASensorThatIsFrozenAndLeavesItOut) {
   EXPECT_EQ(reports_.size(), 5u);  // Repeats 1, 2 and 4, rejections 1 and 2.
 }
 
+// Each scan comes twice, the second time stamped a millisecond later and numbered on.
+TEST_F(IntakeGuardsTest, RefusesTheDoubleOfAScanUnderALaterStamp) {
+  for (int i = 0; i < 8; ++i) {
+    auto ping = scan(i / 2 * kSecond + i % 2 * kSecond / 1000, i);
+    ping.returns = {{0.0, 10.0 + i / 2, 1.0}, {0.1, 20.0, 1.0}, {0.2, 30.0, 1.0}};
+    state(ping.utime);
+    intake_.add(ping);
+  }
+  EXPECT_EQ(counts().accepted, 4);
+  EXPECT_EQ(counts().frozen, 4);
+  EXPECT_EQ(counts().lost, 0);
+}
+
+// 2,000 returns in ninety beams, none of which rings: 512 are taken.
+TEST_F(IntakeGuardsTest, LeavesOutWhatACrowdedScanHoldsTooMuch) {
+  auto crowded = scan(kSecond, 0);
+  for (int i = 0; i < 2000; ++i)
+    crowded.returns.push_back({crowded.first_bearing + i % 90 * crowded.bearing_step, 20.0 + 0.05 * i, 1.0});
+  state(kSecond);
+  intake_.add(crowded);
+  ASSERT_EQ(out_.size(), 1u);
+  EXPECT_EQ(out_[0].scan.returns.size(), 512u);
+  EXPECT_EQ(counts().returns, 2000);
+  EXPECT_EQ(counts().shed_returns, 1488);
+  EXPECT_EQ(counts().crowded, 1);
+  EXPECT_EQ(counts().returns_behind, 512 - 90);
+}
+
 TEST_F(IntakeGuardsTest, CountsLossAndRestartBySequence) {
   surrounded_scan(kSecond);
   next_sequence_ = 4;

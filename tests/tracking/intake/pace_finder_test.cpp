@@ -31,6 +31,18 @@ class Pinger {
   std::int64_t sequence_ = 0, utime_ = 0;
 };
 
+// Under overload every other scan is shed: the numbers that are left go up by two, as those of a driver that
+// counts in twos.
+TEST(PaceFinder, TakesNoStepAcrossAPingThatWasShed) {
+  PaceFinder finder(0.05);
+  Pinger sonar(finder);
+  EXPECT_FALSE(sonar.pings(10, 0.05));
+  for (int i = 0; i < 20; ++i) {
+    finder.skip(1);
+    EXPECT_FALSE(sonar.ping(0.1, 2));
+  }
+}
+
 TEST(PaceFinder, FindsASlowStreamAfterFiveScansAndSaysItOnce) {
   PaceFinder finder(0.5);
   Pinger sonar(finder);

@@ -26,9 +26,10 @@ TEST(UnitGuard, SixSecondsInMillisecondsAreTooFastWhereThePeriodIsStated) {
   EXPECT_EQ(count(guard, Pace::too_fast, 30, 6'000), 20);
 }
 
+// Told at the tenth to the nineteenth step; then it is the sensor's own pace, as that of a scan a minute is.
 TEST(UnitGuard, HalfASecondInNanosecondsIsTooSlow) {
   UnitGuard guard(0.5);
-  EXPECT_EQ(count(guard, Pace::too_slow, 30, 500'000'000), 20);
+  EXPECT_EQ(count(guard, Pace::too_slow, 100, 500'000'000), 10);
 }
 
 TEST(UnitGuard, FastAndSlowSonarsArePlausible) {

@@ -75,6 +75,14 @@ TEST_F(NodeHealthTest, SaysWhyItIsDegraded) {
     EXPECT_NE(health_.text().find(reason), std::string::npos) << reason;
 }
 
+TEST_F(NodeHealthTest, ScansWithTooManyReturnsAreOverload) {
+  seconds(3);
+  sample_.crowded += 2;
+  sample_.shed_returns += 3352;
+  seconds(1);
+  EXPECT_EQ(health_.text(), "overloaded: 2 scans with too many returns in 10 s: 3352 left out");
+}
+
 TEST_F(NodeHealthTest, FindsReturnsAndFiguresImplausible) {
   seconds(1);
   sample_.dropped_returns += 400;
