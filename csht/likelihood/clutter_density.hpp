@@ -19,6 +19,11 @@ struct Excess {
   double density() const { return rate > 1.0 ? probability * (rate - 1.0) : 0.0; }
 };
 
+/// The one of larger density; of equal ones the second.
+inline const Excess& denser(const Excess& one, const Excess& other) {
+  return one.density() > other.density() ? one : other;
+}
+
 /// ln of the Bayes factor of a gamma rate against the background's, `count` returns having come where it
 /// makes `expected` (> 0): a negative binomial count against a Poisson one. [Gelman2013] Sec. 2.6.
 double log_excess_factor(double count, double expected, const ExcessPrior& prior);

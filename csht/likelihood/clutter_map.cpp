@@ -5,7 +5,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/parameter_check.hpp"
 #include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
@@ -24,7 +23,6 @@ constexpr double kFine = 1.0 / 3.0;
 constexpr double kLine = 3.0, kSteepest = 6.0;
 constexpr double kLines = 0.5;  // Share of what stands that is a line.
 constexpr float kListened = 0.5F;
-constexpr double kCorners = 0.25;  // Share of what is dense that lies at its corners.
 
 // A triangle of height 1 and half width 1.
 double triangle(double x) {
@@ -48,15 +46,15 @@ std::optional<std::size_t> slot_of(const ScanTable& scan, std::size_t index) {
   return slot;
 }
 
-// What lies beyond the fan around a place, in beams from its middle and in reaches.
-FrameCounts::Border border_of(const ScanTable& scan, double beam, double reaches, double last_reach) {
-  const double half = scan.whole_circle ? scan.num_beams : 0.5 * scan.num_beams;
-  FrameCounts::Border border;
-  border.left = beam - FrameCounts::kToSide < -half;
-  border.right = beam + FrameCounts::kToSide > half;
-  border.near = reaches - FrameCounts::kToEnd < 0.0;
-  border.far = reaches + FrameCounts::kToEnd > last_reach;
-  return border;
+// The background's share where the density is larger by `excess` than `base`. @param rate of the background
+// by the learnt P_F, @param base by what most of the fan returns at most.
+float background_share(double rate, double base, double excess) {
+  return static_cast<float>(std::min(1.0, rate / (base * (1.0 + excess))));
+}
+
+// Share of the returns that an excess of density brings.
+double share_of(double excess) {
+  return excess / (1.0 + excess);
 }
 
 std::int64_t microseconds(double seconds) {
@@ -78,36 +76,6 @@ LookMemory::Limits limits_of(const ClutterMapParams& params, const core::SonarPa
 
 }  // namespace
 
-void validate(const ClutterMapParams& p) {
-  core::require(p.memory_looks >= 2 && p.memory_looks <= 1000, "memory_looks must be in [2, 1000]",
-                p.memory_looks);
-  core::require(p.memory_time > 0.0, "memory_time must be > 0", p.memory_time);
-  core::require(p.leave_out_time > 0.0, "leave_out_time must be > 0", p.leave_out_time);
-  core::require(p.leave_out_scans >= 0.0, "leave_out_scans must be >= 0", p.leave_out_scans);
-  core::require(p.spot_times >= 1.0, "spot_times must be >= 1", p.spot_times);
-  core::require(p.range_reach > 0.0, "range_reach must be > 0", p.range_reach);
-  core::require(p.sonar_beams > 0.0, "sonar_beams must be > 0", p.sonar_beams);
-  core::require(p.earth_beams > 0.0, "earth_beams must be > 0", p.earth_beams);
-  core::require(p.sonar_prior.share > 0.0 && p.sonar_prior.share < 1.0, "sonar_prior.share must be in (0, 1)",
-                p.sonar_prior.share);
-  core::require(p.sonar_prior.shape > 0.0, "sonar_prior.shape must be > 0", p.sonar_prior.shape);
-  core::require(p.sonar_prior.mean > 0.0, "sonar_prior.mean must be > 0", p.sonar_prior.mean);
-  core::require(p.earth_shape > 0.0, "earth_shape must be > 0", p.earth_shape);
-  core::require(p.least_share > 0.0 && p.least_share <= p.most_share,
-                "least_share must be in (0, most_share]", p.least_share);
-  core::require(p.most_share < 1.0, "most_share must be < 1", p.most_share);
-  core::require(p.share_growth >= 0.0, "share_growth must be >= 0", p.share_growth);
-  core::require(p.standing_share > 0.0 && p.standing_share < 1.0, "standing_share must be in (0, 1)",
-                p.standing_share);
-  core::require(p.most_dense >= p.sonar_prior.share && p.most_dense < 1.0,
-                "most_dense must be in [sonar_prior.share, 1)", p.most_dense);
-  for (const DenseReturnsParams& learning : {p.sonar_learning, p.earth_learning}) {
-    core::require(learning.memory_scans > 1.0, "memory_scans must be > 1", learning.memory_scans);
-    core::require(learning.prior_returns > 0.0, "prior_returns must be > 0", learning.prior_returns);
-  }
-  core::require(p.most_returns >= 16, "most_returns must be >= 16", p.most_returns);
-}
-
 ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& sonar)
     : params_(params),
       range_reach_(params.range_reach * sonar.range_sigma),
@@ -117,7 +85,7 @@ ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& 
       memory_(limits_of(params, sonar, leave_out_us_)),
       sonar_dense_(params.sonar_learning, params.sonar_prior.share),
       earth_dense_(params.earth_learning, params.standing_share) {
-  counted_.reserve(memory_.most_looks());
+  times_.reserve(memory_.most_looks());
 }
 
 // A scan that was more probably lost on its way than heard is no look: its empty places tell nothing.
@@ -149,23 +117,32 @@ void ClutterMap::discount(const ScanTable& scan, std::span<const double> own, do
 }
 
 void ClutterMap::mark_looks(const ScanTable& scan) const {
-  counted_.clear();
-  num_counted_ = num_others_ = 0.0;
+  times_.clear();
+  num_counted_ = num_far_ = num_others_ = 0.0;
   for (const Look& look : memory_.looks()) {
-    counted_.push_back(std::abs(look.utime - scan.utime) > leave_out_us_ ? 1 : 0);
-    num_counted_ += counted_.back();
-    num_others_ += look.utime != scan.utime ? 1.0 : 0.0;
+    const std::int64_t lag = std::abs(look.utime - scan.utime);
+    const LookTime& time = times_.emplace_back(look.utime == scan.utime,
+                                               look.utime<scan.utime, lag> leave_out_us_, lag > spot_us_);
+    num_counted_ += time.counted ? 1.0 : 0.0;
+    num_far_ += time.far ? 1.0 : 0.0;
+    num_others_ += time.own ? 0.0 : 1.0;
   }
 }
 
-void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& background) const {
+void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& background) {
   background.assign(background.size(), 1.0F);
   mark_looks(scan);
+  if (memory_.looks().empty()) return;
+  Look* look = memory_.look_at(scan);
+  const double base = typical_.at_most(rate);
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     const std::optional<std::size_t> slot = slot_of(scan, j);
     if (!slot) continue;
-    const SeenPlace place = seen_place(scan, scan.detections[j]);
-    background[*slot] = static_cast<float>(memory_.looks().empty() ? 1.0 : background_at(scan, place, rate));
+    const PlaceExcess found = excess_at(scan, seen_place(scan, scan.detections[j]), base);
+    background[*slot] = background_share(rate, base, found.density());
+    if (look == nullptr) continue;
+    look->earth[j].free = static_cast<float>(1.0 - found.explained_by_sonar());
+    look->in_sonar[j].free = static_cast<float>(1.0 - found.explained_by_earth());
   }
   if (!scan.whole_circle || scan.clutter == ClutterModel::point) return;
   background[0] = background[static_cast<std::size_t>(scan.num_beams)];
@@ -197,52 +174,76 @@ std::vector<ClutterMap::PricedPlace> ClutterMap::places(const ScanTable& scan, d
 
 double ClutterMap::background_at(const ScanTable& scan, const SeenPlace& place, double rate) const {
   const double base = typical_.at_most(rate);
-  const double density = 1.0 + std::max({spot_excess(scan, place, base, spot_us_).density(),
-                                         frame_excess(scan, place, base, true).density(),
-                                         earth_excess(scan, place, base).density()});
-  return std::min(1.0, rate / (base * density));
+  return static_cast<double>(background_share(rate, base, excess_at(scan, place, base).density()));
+}
+
+ClutterMap::PlaceExcess ClutterMap::excess_at(const ScanTable& scan, const SeenPlace& place,
+                                              double rate) const {
+  const TwoExcesses spot = spot_excess(scan, place, rate, true),
+                    frame = frame_excess(scan, place, rate, true);
+  return {{denser(spot.all, frame.all), denser(spot.free, frame.free)}, earth_excess(scan, place, rate)};
+}
+
+// What moves with the sonar shows, blurred, in the earth's frame, and what stands in the sonar's: returns
+// that the other frame explains count as far as it is dense at this place too.
+double ClutterMap::PlaceExcess::density() const {
+  const double stands =
+      earth.free.density() + share_of(sonar.all.density()) * (earth.all.density() - earth.free.density());
+  const double moves =
+      sonar.free.density() + share_of(earth.free.density()) * (sonar.all.density() - sonar.free.density());
+  return std::max(stands, moves);
+}
+
+double ClutterMap::PlaceExcess::explained_by_sonar() const {
+  return sonar.all.density() / (1.0 + sonar.all.density() + earth.free.density());
+}
+
+double ClutterMap::PlaceExcess::explained_by_earth() const {
+  return earth.free.density() / (1.0 + sonar.free.density() + earth.free.density());
+}
+
+void ClutterMap::TwoCounts::take(const BinnedPoint& point, double kernel) {
+  const double count = static_cast<double>(point.weight) * kernel;
+  all += count;
+  free += static_cast<double>(point.free) * count;
 }
 
 // What lies around a place in all scans but its own: it needs no past, and a target that moves along with the
 // sonar does not price its own returns.
-Excess ClutterMap::frame_excess(const ScanTable& scan, const SeenPlace& place, double rate,
-                                bool corners) const {
-  FrameCounts frame;
+ClutterMap::TwoExcesses ClutterMap::frame_excess(const ScanTable& scan, const SeenPlace& place, double rate,
+                                                 bool corners) const {
+  FrameCounts all, free;
   const double y = place.range / range_reach_;
-  const PointBins& bins = memory_.in_sonar();
-  bins.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
-    const std::int64_t utime = memory_.utime_of(p);
-    if (utime != scan.utime)
-      frame.take(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y,
-                 static_cast<double>(p.weight), utime < scan.utime);
-  });
-  const FrameCounts::Border border = border_of(scan, place.beam, y, scan.max_range / range_reach_);
+  memory_.in_sonar().visit(
+      place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
+        const LookTime& time = time_of(p);
+        const int side =
+            FrameCounts::side_of(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y);
+        if (time.own || side < 0) return;
+        all.take(side, static_cast<double>(p.weight), time.before);
+        free.take(side, static_cast<double>(p.weight * p.free), time.before);
+      });
   const double per_area = num_others_ * rate / scan.num_beams * range_reach_ / scan.max_range;
-  ExcessPrior prior = sonar_prior();
-  const Excess across = excess(frame.beside(border), per_area * FrameCounts::kBesideArea, prior);
-  const Excess along = excess(frame.around(border), per_area * FrameCounts::kAroundArea, prior);
-  const Excess both = across.density() > along.density() ? across : along;
-  prior.share *= kCorners;
-  // At a corner of what is dense one side alone has it: then what lies at the place counts, up to that.
-  const Excess edge = excess(frame.richest(), 0.5 * per_area * FrameCounts::kBesideArea, prior);
-  if (!corners || edge.density() <= both.density()) return both;
-  const Excess spot = spot_excess(scan, place, rate, leave_out_us_);
-  const Excess& least = spot.density() < edge.density() ? spot : edge;
-  return least.density() > both.density() ? least : both;
+  const FrameCounts::Border border =
+      FrameCounts::border_at(scan, place.beam, y, scan.max_range / range_reach_);
+  const FrameExcess of_all(all, border, per_area, sonar_prior()),
+      of_free(free, border, per_area, sonar_prior());
+  if (!corners || !(of_all.is_corner() || of_free.is_corner())) return {of_all.both(), of_free.both()};
+  const TwoExcesses spot = spot_excess(scan, place, rate, false);
+  return {of_all.with_corner(spot.all), of_free.with_corner(spot.free)};
 }
 
 // What lies at a place, but long before or after: a target that moves along with the sonar is found by then.
-Excess ClutterMap::spot_excess(const ScanTable& scan, const SeenPlace& place, double rate,
-                               std::int64_t leave_out_us) const {
-  const double y = place.range / range_reach_, reach = params_.sonar_beams;
-  double count = 0.0, looks = 0.0;
-  for (const Look& look : memory_.looks())
-    looks += std::abs(look.utime - scan.utime) > leave_out_us ? 1.0 : 0.0;
+ClutterMap::TwoExcesses ClutterMap::spot_excess(const ScanTable& scan, const SeenPlace& place, double rate,
+                                                bool far) const {
+  const double looks = far ? num_far_ : num_counted_;
   if (looks == 0.0) return {};
+  const double y = place.range / range_reach_, reach = params_.sonar_beams;
+  TwoCounts count;
   memory_.in_sonar().visit(place.beam, y, reach, 1.0, [&](const BinnedPoint& p) {
-    if (std::abs(memory_.utime_of(p) - scan.utime) <= leave_out_us) return;
-    count += static_cast<double>(p.weight) * triangle((static_cast<double>(p.x) - place.beam) / reach) *
-             triangle(static_cast<double>(p.y) - y);
+    if (const LookTime& time = time_of(p); !(far ? time.far : time.counted)) return;
+    count.take(p, triangle((static_cast<double>(p.x) - place.beam) / reach) *
+                      triangle(static_cast<double>(p.y) - y));
   });
   const double half = 0.5 * scan.num_beams;
   const double across = scan.whole_circle ? reach
@@ -251,7 +252,9 @@ Excess ClutterMap::spot_excess(const ScanTable& scan, const SeenPlace& place, do
   const double along = triangle_below(scan.max_range / range_reach_ - y) - triangle_below(-y);
   const double per_cell = rate / scan.num_beams * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
-  return excess(scale * count, scale * looks * across * along * per_cell, sonar_prior());
+  const double expected = scale * looks * across * along * per_cell;
+  return {excess(scale * count.all, expected, sonar_prior()),
+          excess(scale * count.free, expected, sonar_prior())};
 }
 
 // Calls `use` with each counted return of the earth within a box along a line of sight, and with where it is:
@@ -262,10 +265,10 @@ void ClutterMap::visit_earth(const SeenPlace& place, const EarthBox& box, const 
   const double north = std::abs(along.x()) * box.down + std::abs(along.y()) * box.across;
   const double east = std::abs(along.y()) * box.down + std::abs(along.x()) * box.across;
   memory_.earth().visit(place.p_earth.x(), place.p_earth.y(), north, east, [&](const BinnedPoint& p) {
-    if (!counts(p)) return;
+    if (!time_of(p).counted) return;
     const double dn = static_cast<double>(p.x) - place.p_earth.x();
     const double de = static_cast<double>(p.y) - place.p_earth.y();
-    use(static_cast<double>(p.weight), dn * along.x() + de * along.y(), de * along.x() - dn * along.y());
+    use(p, dn * along.x() + de * along.y(), de * along.x() - dn * along.y());
   });
 }
 
@@ -273,44 +276,47 @@ void ClutterMap::visit_earth(const SeenPlace& place, const EarthBox& box, const 
 ClutterMap::EarthCounts ClutterMap::count_in_earth(const SeenPlace& place, const EarthBox& box) const {
   EarthCounts counts;
   double squares = 0.0, products = 0.0;
-  visit_earth(place, box, [&](double weight, double down, double across) {
-    const double beside = weight * triangle(across / box.across), wide = beside * triangle(down / box.down);
-    counts.wide += wide;
-    counts.thin += beside * triangle(down / (kFine * box.down));
+  visit_earth(place, box, [&](const BinnedPoint& p, double down, double across) {
+    const double beside = triangle(across / box.across);
+    counts.wide.take(p, beside * triangle(down / box.down));
+    counts.thin.take(p, beside * triangle(down / (kFine * box.down)));
+    const double wide = static_cast<double>(p.weight) * beside * triangle(down / box.down);
     squares += wide * across * across;
     products += wide * across * down;
   });
-  if (counts.wide < kLine || squares <= 0.0) return counts;
+  if (counts.wide.all < kLine || squares <= 0.0) return counts;
   const double slope = std::clamp(products / squares, -kSteepest, kSteepest);
   EarthBox slanting = box;
   slanting.down = std::abs(slope) * box.across + kFine * box.down;
-  visit_earth(place, slanting, [&](double weight, double down, double across) {
-    counts.line +=
-        weight * triangle(across / box.across) * triangle((down - slope * across) / (kFine * box.down));
+  visit_earth(place, slanting, [&](const BinnedPoint& p, double down, double across) {
+    counts.line.take(p,
+                     triangle(across / box.across) * triangle((down - slope * across) / (kFine * box.down)));
   });
   return counts;
 }
 
 // The densest of the kernels counts.
-Excess ClutterMap::earth_excess(const ScanTable& scan, const SeenPlace& place, double rate) const {
+ClutterMap::TwoExcesses ClutterMap::earth_excess(const ScanTable& scan, const SeenPlace& place,
+                                                 double rate) const {
   const double beam = scan.width_at(place.beam) * place.range;
   const EarthBox box{
       (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized(),
       range_reach_, std::max(params_.earth_beams * beam, 0.25 * range_reach_)};
   const EarthCounts counts = count_in_earth(place, box);
-  if (counts.wide <= 0.0) return {};
+  if (counts.wide.all <= 0.0) return {};
   const double per_look = rate / scan.num_beams * box.across / beam * range_reach_ / scan.max_range;
   const double scale = 1.0 / (kTriangle * kTriangle);
   const double expected = scale * views_of(place) * per_look;
   const ExcessPrior prior = earth_prior();
   ExcessPrior line = prior;
   line.share *= kLines;
-  const std::array excesses{excess(scale * counts.wide, expected, prior),
-                            excess(scale * counts.thin, kFine * expected, prior),
-                            excess(scale * counts.line, kFine * expected, line)};
-  return *std::max_element(excesses.begin(), excesses.end(), [](const Excess& one, const Excess& other) {
-    return one.density() < other.density();
-  });
+  const auto densest = [&](double wide, double thin, double slanting) {
+    return denser(excess(scale * wide, expected, prior),
+                  denser(excess(scale * thin, kFine * expected, prior),
+                         excess(scale * slanting, kFine * expected, line)));
+  };
+  return {densest(counts.wide.all, counts.thin.all, counts.line.all),
+          densest(counts.wide.free, counts.thin.free, counts.line.free)};
 }
 
 ExcessPrior ClutterMap::sonar_prior() const {
@@ -336,7 +342,7 @@ double ClutterMap::clear_around(const ScanTable& scan, const SeenPlace& place, d
   };
   const PointBins& bins = memory_.in_sonar();
   bins.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
-    if (counts(p) && in_frame(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y))
+    if (time_of(p).counted && in_frame(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y))
       sonar += static_cast<double>(p.weight);
   });
   const Eigen::Vector2d along =
@@ -344,7 +350,7 @@ double ClutterMap::clear_around(const ScanTable& scan, const SeenPlace& place, d
   const double beam = scan.width_at(place.beam) * place.range;
   const double box = std::hypot(FrameCounts::kBeams * beam, FrameCounts::kReaches * range_reach_);
   memory_.earth().visit(place.p_earth.x(), place.p_earth.y(), box, box, [&](const BinnedPoint& p) {
-    if (!counts(p)) return;
+    if (!time_of(p).counted) return;
     const double dn = static_cast<double>(p.x) - place.p_earth.x();
     const double de = static_cast<double>(p.y) - place.p_earth.y();
     if (in_frame((de * along.x() - dn * along.y()) / beam, (dn * along.x() + de * along.y()) / range_reach_))
@@ -360,8 +366,8 @@ double ClutterMap::clear_around(const ScanTable& scan, const SeenPlace& place, d
 // Mean number of looks, each weighted with the density of its background there, that had a place in view.
 double ClutterMap::views_of(const SeenPlace& place) const {
   double views = 0.0;
-  for (std::size_t k = 0; k < counted_.size(); ++k) {
-    if (counted_[k] == 0) continue;
+  for (std::size_t k = 0; k < times_.size(); ++k) {
+    if (!times_[k].counted) continue;
     const Look& look = memory_.looks()[k];
     const double dn = place.p_earth.x() - look.T_earth_sonar.north;
     const double de = place.p_earth.y() - look.T_earth_sonar.east;
@@ -381,12 +387,12 @@ void ClutterMap::learn(const ScanTable& newest, std::span<const double> own, dou
   if (num_counted_ > 0.0) earth_dense_.begin_scan();
   for (std::size_t j = 0; j < newest.detections.size(); ++j) {
     const SeenPlace place = seen_place(newest, newest.detections[j]);
-    const Excess spot = spot_excess(newest, place, rate, spot_us_),
-                 frame = frame_excess(newest, place, rate, false);
-    const Excess& sonar = spot.density() > frame.density() ? spot : frame;
+    const Excess spot = spot_excess(newest, place, rate, true).all,
+                 frame = frame_excess(newest, place, rate, false).all;
+    const Excess& sonar = denser(spot, frame);
     sonar_dense_.take(1.0 - own[j], sonar.density() > 0.0 ? sonar.probability : 0.0, sonar.rate);
     if (num_counted_ == 0.0) continue;
-    const double stands = earth_excess(newest, place, rate).density();
+    const double stands = earth_excess(newest, place, rate).all.density();
     const bool denser = stands > sonar.density();
     earth_dense_.take(1.0, denser ? stands / (1.0 + stands) : 0.0, 1.0 + stands);
   }

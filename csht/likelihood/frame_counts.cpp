@@ -6,6 +6,8 @@
 namespace lookout::csht {
 namespace {
 
+constexpr double kCorners = 0.25;  // Share of what is dense that lies at its corners.
+
 // Of two Poisson numbers with one mean the difference is about the root of their sum.
 double of_both(double one, double other) {
   return std::min(one + other, 2.0 * std::min(one, other) + std::sqrt(one + other));
@@ -13,11 +15,10 @@ double of_both(double one, double other) {
 
 }  // namespace
 
-void FrameCounts::take(double across, double along, double weight, bool before) {
-  const double a = std::abs(across), b = std::abs(along);
-  auto& sides = counts_[before ? 0 : 1];
-  if (a > kMiddleBeams && a <= kBeams && b <= kMiddleReaches) sides[across < 0.0 ? 0 : 1] += weight;
-  if (b > kMiddleReaches && b <= kReaches && a <= kMiddleBeams) sides[along < 0.0 ? 2 : 3] += weight;
+FrameCounts::Border FrameCounts::border_at(const ScanTable& scan, double beam, double reaches,
+                                           double last_reach) {
+  const double half = scan.whole_circle ? scan.num_beams : 0.5 * scan.num_beams;
+  return {beam - kToSide<-half, beam + kToSide> half, reaches - kToEnd<0.0, reaches + kToEnd> last_reach};
 }
 
 double FrameCounts::richest() const {
@@ -37,6 +38,19 @@ double FrameCounts::sum(std::size_t first, bool first_is_beyond, bool second_is_
     total += of_both(one, other);
   }
   return total;
+}
+
+FrameExcess::FrameExcess(const FrameCounts& frame, const FrameCounts::Border& border, double per_area,
+                         ExcessPrior prior)
+    : both_(denser(excess(frame.beside(border), per_area * FrameCounts::kBesideArea, prior),
+                   excess(frame.around(border), per_area * FrameCounts::kAroundArea, prior))) {
+  prior.share *= kCorners;
+  edge_ = excess(frame.richest(), 0.5 * per_area * FrameCounts::kBesideArea, prior);
+}
+
+const Excess& FrameExcess::with_corner(const Excess& spot) const {
+  if (!is_corner()) return both_;
+  return denser(spot.density() < edge_.density() ? spot : edge_, both_);
 }
 
 }  // namespace lookout::csht

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+
+#include "csht/likelihood/clutter_density.hpp"
+#include "csht/likelihood/scan_table.hpp"
 
 namespace lookout::csht {
 
@@ -22,10 +26,24 @@ class FrameCounts {
     bool near = false;   ///< No ranges below.
     bool far = false;    ///< None above.
   };
+  /// What lies beyond the fan of a scan around a place. @param beam from the axis, to starboard [beams].
+  /// @param reaches from the sonar, @param last_reach of the fan [reaches].
+  static Border border_at(const ScanTable& scan, double beam, double reaches, double last_reach);
 
-  /// Takes a return `across` beams to starboard and `along` reaches beyond the place, that counts `weight`.
-  /// @param before it was heard before the scan at hand, else after.
-  void take(double across, double along, double weight, bool before);
+  /// Where a return lies `across` beams to starboard and `along` reaches beyond the place: 0 left, 1 right, 2
+  /// nearer, 3 farther; -1 in the middle or outside.
+  static int side_of(double across, double along) {
+    const double a = std::abs(across), b = std::abs(along);
+    if (a > kMiddleBeams && a <= kBeams && b <= kMiddleReaches) return across < 0.0 ? 0 : 1;
+    if (b > kMiddleReaches && b <= kReaches && a <= kMiddleBeams) return along < 0.0 ? 2 : 3;
+    return -1;
+  }
+
+  /// Takes a return on one of the sides in, that counts `weight`. @param side of `side_of`, not -1. @param
+  /// before it was heard before the scan at hand, else after.
+  void take(int side, double weight, bool before) {
+    counts_[before ? 0 : 1][static_cast<std::size_t>(side)] += weight;
+  }
 
   /// Returns that clutter alone brings to both sides, and to both ends. A moving target's trail lies on one
   /// side of the place in the scans before, and on the other in those after: where two sides differ by more
@@ -48,6 +66,23 @@ class FrameCounts {
   double sum(std::size_t first, bool first_is_beyond, bool second_is_beyond) const;
 
   std::array<std::array<double, 4>, 2> counts_{};  ///< Before and after; left, right, nearer, farther.
+};
+
+/// What a frame of counts tells of the place in its middle.
+class FrameExcess {
+ public:
+  /// @param per_area false returns that the background brings to a unit of area of the frame, > 0.
+  FrameExcess(const FrameCounts& frame, const FrameCounts::Border& border, double per_area,
+              ExcessPrior prior);
+
+  const Excess& both() const { return both_; }  ///< What both sides, or both ends, have.
+  /// Whether the place is at a corner of what is dense, where one side or end alone has it.
+  bool is_corner() const { return edge_.density() > both_.density(); }
+  /// At a corner what lies at the place itself, `spot`, counts, up to what its richest side has.
+  const Excess& with_corner(const Excess& spot) const;
+
+ private:
+  Excess both_, edge_;
 };
 
 }  // namespace lookout::csht

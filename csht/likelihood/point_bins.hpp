@@ -12,6 +12,7 @@ struct BinnedPoint {
   float x = 0.0F, y = 0.0F;  ///< In units of the caller's.
   float weight = 1.0F;       ///< Factor on its count, >= 0.
   int look = 0;              ///< Number of its scan.
+  float free = 1.0F;         ///< Share of it that nothing else is known to explain, in [0, 1].
 };
 
 /// Points sorted into square bins, so that those near a place are found without looking at the rest.

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace lookout::csht {
@@ -9,18 +10,22 @@ namespace {
 
 constexpr FrameCounts::Border kInside{};
 
+void take(FrameCounts& frame, double across, double along, double weight, bool before) {
+  if (const int side = FrameCounts::side_of(across, along); side >= 0) frame.take(side, weight, before);
+}
+
 // One return in each unit of area of the frame's sides: as many as the area has.
 TEST(FrameCounts, EvenClutterCountsByItsArea) {
   FrameCounts frame;
   for (double across = -5.5; across < 6.0; across += 1.0)
-    for (double along = -1.75; along < 2.0; along += 0.5) frame.take(across, along, 0.5, true);
+    for (double along = -1.75; along < 2.0; along += 0.5) take(frame, across, along, 0.5, true);
   EXPECT_NEAR(frame.beside(kInside), FrameCounts::kBesideArea, 1e-9);
   EXPECT_NEAR(frame.around(kInside), FrameCounts::kAroundArea, 1e-9);
 }
 
 TEST(FrameCounts, TheMiddleDoesNotCount) {
   FrameCounts frame;
-  for (int k = 0; k < 100; ++k) frame.take(0.3, -0.4, 1.0, k % 2 == 0);
+  for (int k = 0; k < 100; ++k) take(frame, 0.3, -0.4, 1.0, k % 2 == 0);
   EXPECT_EQ(frame.beside(kInside), 0.0);
   EXPECT_EQ(frame.around(kInside), 0.0);
 }
@@ -29,8 +34,8 @@ TEST(FrameCounts, TheMiddleDoesNotCount) {
 TEST(FrameCounts, ATrailDoesNotCount) {
   FrameCounts frame;
   for (int k = 0; k < 36; ++k) {
-    frame.take(-4.0, 0.0, 1.0, true);
-    frame.take(4.0, 0.0, 1.0, false);
+    take(frame, -4.0, 0.0, 1.0, true);
+    take(frame, 4.0, 0.0, 1.0, false);
   }
   EXPECT_NEAR(frame.beside(kInside), 2.0 * 6.0, 1e-9);
 }
@@ -38,17 +43,37 @@ TEST(FrameCounts, ATrailDoesNotCount) {
 // An end has half of the area of a side.
 TEST(FrameCounts, TheRichestSideCountsByItsArea) {
   FrameCounts frame;
-  for (int k = 0; k < 36; ++k) frame.take(-4.0, 0.0, 1.0, k % 2 == 0);
+  for (int k = 0; k < 36; ++k) take(frame, -4.0, 0.0, 1.0, k % 2 == 0);
   EXPECT_NEAR(frame.richest(), 36.0, 1e-9);
-  for (int k = 0; k < 20; ++k) frame.take(0.0, 1.5, 1.0, true);
+  for (int k = 0; k < 20; ++k) take(frame, 0.0, 1.5, 1.0, true);
   EXPECT_NEAR(frame.richest(), 20.0 * FrameCounts::kBesideArea / FrameCounts::kAroundArea, 1e-9);
 }
 
 TEST(FrameCounts, AtTheBorderOneSideStandsForBoth) {
   FrameCounts frame;
-  for (int k = 0; k < 36; ++k) frame.take(-4.0, 0.0, 1.0, true);
+  for (int k = 0; k < 36; ++k) take(frame, -4.0, 0.0, 1.0, true);
   EXPECT_NEAR(frame.beside({.right = true}), 72.0, 1e-9);
   EXPECT_NEAR(frame.beside(kInside), 6.0, 1e-9);
+}
+
+// Left alone has ten times what the background brings: a corner, where the place counts, up to that side.
+TEST(FrameExcess, AtACornerThePlaceCountsUpToItsRichestSide) {
+  FrameCounts frame;
+  for (int k = 0; k < 80; ++k) take(frame, -4.0, 0.0, 1.0, k % 2 == 0);
+  const double per_area = 8.0 / (0.5 * FrameCounts::kBesideArea);
+  const FrameExcess found(frame, kInside, per_area, {.share = 0.2, .shape = 2.0, .mean = 1.0});
+  EXPECT_TRUE(found.is_corner());
+  EXPECT_LT(found.both().density(), 4.0);
+  EXPECT_EQ(found.with_corner({1.0, 5.0}).density(), std::max(4.0, found.both().density()));
+  EXPECT_NEAR(found.with_corner({1.0, 50.0}).density(), 7.2, 0.01);  // (80 + 2) / (8 + 2) - 1
+}
+
+TEST(FrameCounts, BeyondTheFanAndTheRangeIsNothing) {
+  ScanTable scan;
+  scan.num_beams = 90;
+  const auto border = FrameCounts::border_at(scan, 43.0, 1.0, 30.0);
+  EXPECT_TRUE(border.right && border.near);
+  EXPECT_FALSE(border.left || border.far);
 }
 
 }  // namespace
