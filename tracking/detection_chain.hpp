@@ -70,6 +70,7 @@ class DetectionChain {
   void add(const core::SonarImage& image);    ///< Takes an image. A bad one is counted and left out.
   /// An image came for which there is no time: it is counted and left out.
   void shed(const core::SonarImage& image);
+  void stop_when(std::function<bool()> stopped) { chain_.stop_when(std::move(stopped)); }  ///< See there.
   void finish();           ///< There is no more data: gives what still waits.
   void start_new_clock();  ///< What comes now is on another clock.
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -34,8 +35,9 @@ class ScanPipeline {
 
   std::optional<core::ClutterGrid> clutter_grid() const;  ///< See Tracker, with the time of the scan.
   void explain_to(const DecisionLog& log);  ///< See Tracker::explain_to; times are those of the scans.
-  std::int64_t next_id() const { return tracker_->next_id(); }      ///< See Tracker.
-  void set_next_id(std::int64_t id) { tracker_->set_next_id(id); }  ///< See Tracker.
+  void stop_when(const std::function<bool()>& stopped) { tracker_->stop_when(stopped); }  ///< See Tracker.
+  std::int64_t next_id() const { return tracker_->next_id(); }                            ///< See Tracker.
+  void set_next_id(std::int64_t id) { tracker_->set_next_id(id); }                        ///< See Tracker.
 
  private:
   const core::PosedScan& at_time_of_returns(const core::PosedScan& scan);

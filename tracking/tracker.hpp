@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -51,6 +52,10 @@ class Tracker {
   /// The identity that the next new track gets; identities go on from `set_next_id`, before the first scan.
   virtual std::int64_t next_id() const = 0;
   virtual void set_next_id(std::int64_t id) = 0;  ///< See `next_id`.
+
+  /// `stopped` is asked again and again within the work on a scan. Once it is true the rest is left undone,
+  /// what comes of the scan means nothing, and no other may follow. Trackers whose scans are short ignore it.
+  virtual void stop_when(const std::function<bool()>& /*stopped*/) {}
 
   /// Whether `retrodict` has something to say.
   virtual bool can_retrodict() const { return false; }

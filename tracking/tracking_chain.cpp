@@ -75,13 +75,13 @@ TrackingChain::TrackingChain(const ChainParams& params, MakePipeline make_pipeli
       make_pipeline_(std::move(make_pipeline)),
       on_result_(std::move(on_result)),
       lag_(params.lag),
-      pipeline_(make_pipeline_(configured_)),
+      pipeline_(made_for(configured_)),
       view_guard_(configured_),
       pace_(configured_.scan_period),
       reads_beams_(params.tracker.name == "joint"),
       report_(std::move(report)),
       intake_(configured_,
-              {[this](const core::PosedScan& scan) { track(scan); },
+              {[this](const core::PosedScan& scan) { take(scan); },
                [this] { reset(); },
                [this](const std::string& line) { tell(line); },
                {},
@@ -134,7 +134,7 @@ std::size_t TrackingChain::restore(const core::TrackingMemory& memory) {
 void TrackingChain::use(const core::SonarParams& sensor) {
   assert(is_fresh_);
   configured_ = sensor;
-  pipeline_ = make_pipeline_(configured_);
+  pipeline_ = made_for(configured_);
   view_guard_ = ViewGuard(configured_);
   pace_ = PaceFinder(configured_.scan_period);
 }
@@ -148,8 +148,24 @@ void TrackingChain::finish() {
   give_until(std::numeric_limits<std::int64_t>::max());
 }
 
+bool TrackingChain::asked_to_stop() {
+  is_halted_ = is_halted_ || stopped_();
+  return is_halted_;
+}
+
+/// A pipeline that leaves its work undone once it is to stop.
+std::unique_ptr<ScanPipeline> TrackingChain::made_for(const core::SonarParams& sensor) {
+  auto pipeline = make_pipeline_(sensor);
+  pipeline->stop_when([this] { return asked_to_stop(); });
+  return pipeline;
+}
+
+void TrackingChain::take(const core::PosedScan& scan) {
+  if (!asked_to_stop()) track(scan);
+  if (is_halted_) intake_.shed_accepted();
+}
+
 void TrackingChain::track(const core::PosedScan& scan) {
-  if (is_halted_) return;
   if (is_fresh_) suit(scan.scan);
   is_fresh_ = false;
   if (other_clock_) go_on_from(scan.scan);
@@ -158,6 +174,7 @@ void TrackingChain::track(const core::PosedScan& scan) {
   if (is_halted_) return;
   scans_.add(scan.scan, T_earth_body_);
   const PingResult result = pipeline_->step(scan);
+  if (is_halted_) return;
   view_guard_.keep(result.tracks, result.utime);
   if (lag_ == 0) return give(result);
   delay(result);
@@ -189,7 +206,7 @@ void TrackingChain::suit(const core::SonarScan& first) {
   } else if (!is_slow && agrees(first, configured_)) {
     return;
   }
-  renew(make_pipeline_(core::with_geometry_of(first, configured_)));
+  renew(made_for(core::with_geometry_of(first, configured_)));
 }
 
 /// Where scans come at another pace than the one that tracking was made for, it is made for theirs.
@@ -230,7 +247,7 @@ bool TrackingChain::go_on_as(const core::SonarParams& configured) {
   if (!is_restoring_) memory.tracks = newest_tracks_;  // Else nobody has heard of these identities.
   if (!memory.scans.empty()) sensor = core::with_geometry_of(memory.scans.front().scan, sensor);
   try {
-    auto pipeline = make_pipeline_(sensor);
+    auto pipeline = made_for(sensor);
     give_until(std::numeric_limits<std::int64_t>::max());
     renew(std::move(pipeline));
   } catch (const std::invalid_argument&) {
@@ -271,7 +288,7 @@ void TrackingChain::give(PingResult result) {
 void TrackingChain::reset() {
   give_until(std::numeric_limits<std::int64_t>::max());
   other_clock_ = core::TrackingMemory{0, newest_tracks_utime_, newest_tracks_, scans_.scans()};
-  renew(make_pipeline_(configured_));
+  renew(made_for(configured_));
   identities_.stop_looking();
   view_guard_.forget();
   pace_.begin_new_clock();
@@ -291,19 +308,19 @@ void TrackingChain::go_on_from(const core::SonarScan& first) {
 }
 
 /// Tracks the scans of before in silence, as of a clock that was set by `step` [us], and gives their tracks
-/// the identities that they had.
+/// the identities that they had. All are remembered, also those that a stop leaves untracked.
 void TrackingChain::track_again(const core::TrackingMemory& memory, std::int64_t step) {
   const bool was_restoring = std::exchange(is_restoring_, true);
   identities_.expect(memory.tracks, memory.utime + step);
   core::PosedScan posed;
   for (const auto& [vehicle, scan] : memory.scans) {
-    is_halted_ = is_halted_ || stopped_();
-    if (is_halted_) break;
     posed.scan = scan;
     posed.scan.utime += step;
     posed.T_earth_sonar = core::compose(vehicle.T_earth_body, scan.T_body_sonar);
     scans_.add(posed.scan, vehicle.T_earth_body);
+    if (asked_to_stop()) continue;
     const PingResult result = pipeline_->step(posed);
+    if (is_halted_) continue;
     view_guard_.keep(result.tracks, result.utime);
     if (&scan == &memory.scans.back().scan) identities_.rename(result.tracks, result.utime);
   }

@@ -70,8 +70,9 @@ class TrackingChain {
     intake_.shed(scan);
     pace_.skip(scan.sensor_id);
   }
-  /// `stopped` is asked between scans that are tracked again, which may be many at once. From when it is true
-  /// no scan is tracked any more: for who has to end.
+  /// For who has to end: `stopped` is asked between scans, those that are tracked again among them, and again
+  /// and again within the work on one. From when it is true the scan in work and all after it are counted as
+  /// shed.
   void stop_when(std::function<bool()> stopped) { stopped_ = std::move(stopped); }
   void finish();  ///< There is no more data: gives what still waits.
   /// What is known of the sensor from now on, in place of `ChainParams::sensor`. Has no effect on scans that
@@ -102,6 +103,9 @@ class TrackingChain {
     std::vector<core::MotionElement> elements;
   };
 
+  bool asked_to_stop();
+  std::unique_ptr<ScanPipeline> made_for(const core::SonarParams& sensor);
+  void take(const core::PosedScan& scan);
   void track(const core::PosedScan& scan);
   void delay(const PingResult& result);
   void give_until(std::int64_t utime);
@@ -138,7 +142,7 @@ class TrackingChain {
   core::Pose2 T_earth_body_;  ///< Of the scan that is tracked next.
   bool is_restoring_ = false;
   std::function<bool()> stopped_ = [] { return false; };
-  bool is_halted_ = false;
+  bool is_halted_ = false;  ///< It was true once.
   Report report_;
   ScanIntake intake_;
 };

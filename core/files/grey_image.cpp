@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "core/files/text_file.hpp"
 #include "core/input_error.hpp"
 #include "core/sonar_limits.hpp"
 
@@ -162,9 +163,7 @@ void write_pgm(const std::string& path, const GreyImage& image, int white) {
     bytes += static_cast<char>(value >> 8);
     bytes += static_cast<char>(value & 255);
   }
-  std::ofstream file(path, std::ios::binary);
-  file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!file.flush()) throw InputError(path + ": cannot be written");
+  write_text_file(path, bytes);
 }
 
 }  // namespace lookout::core

@@ -27,7 +27,8 @@ double grey_level(double red, double green, double blue);
 
 /// Writes 16-bit binary. Values are rounded and clamped to 0 .. 65535.
 /// @param white the value that a viewer shows as white, from 256 to 65535; larger ones are clamped to it.
-/// @throws InputError where the disk refuses.
+/// @throws InputError where nothing can be written there, std::runtime_error where the disk is full; then
+/// nothing half-written is left.
 void write_pgm(const std::string& path, const GreyImage& image, int white = 65535);
 
 }  // namespace lookout::core

@@ -92,7 +92,8 @@ void ClutterLearning::reserve(const ScanTable& scan, int scans) {
   own_.reserve(static_cast<std::size_t>(params_.map.most_returns));
 }
 
-void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
+void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
+                            const std::function<bool()>& stopped) {
   if (!params_.map.enabled) return;
   const ScanHistory& scans = likelihood.scans();
   mark(tracks, [](const TargetTrack& track) { return track.existence() > kLikely; });
@@ -102,7 +103,7 @@ void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likel
   sensor.map.add(scans.newest());
   if (++sensor.scans % params_.judge_every != 0) return;
   discount_movers(tracks, likelihood);
-  judge_anew(tracks, likelihood);
+  judge_anew(tracks, likelihood, stopped);
 }
 
 // Marks the tracks that `holds` is true of. @return whether there is one.
@@ -144,7 +145,8 @@ bool ClutterLearning::surely_moves(const TargetTrack& track, std::int64_t now) c
   return sigma < params_.sure_sigma * max_speed_ && speed > params_.least_speed * max_speed_ + 2.0 * sigma;
 }
 
-void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood) {
+void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
+                                 const std::function<bool()>& stopped) {
   price_anew(likelihood);
   if (changed_.empty()) return;
   gains_.resize(std::max(gains_.size(), tracks.size()));
@@ -154,8 +156,10 @@ void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& 
     survival_[static_cast<std::size_t>(age)] =
         std::exp((scans.seconds_at_age(age + 1) - scans.seconds_at_age(age)) / mean_life_s_);
   for (const bool after : {false, true}) {
-    for (std::size_t slot = 0; slot < tracks.size(); ++slot)
+    for (std::size_t slot = 0; slot < tracks.size(); ++slot) {
+      if (stopped()) return;
       if (tracks[slot].used) add_gains(after, tracks[slot], static_cast<int>(slot), likelihood);
+    }
     if (after) break;
     for (const int age : changed_) likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
   }

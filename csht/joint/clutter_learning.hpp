@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <span>
@@ -32,7 +33,10 @@ class ClutterLearning {
 
   /// Takes the newest scan into the map, after the tracks have. Now and then judges all scans anew and lets
   /// weights and odds of the tracks, which stand at the newest scan, follow what that changes.
-  void learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
+  /// @param stopped asked between tracks; once it is true the rest is left undone.
+  void learn(
+      std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
+      const std::function<bool()>& stopped = [] { return false; });
 
   /// What the map holds, around the sonar of the newest scan; nothing without a map or a scan.
   std::optional<core::ClutterGrid> grid(const ScanLikelihood& likelihood) const;
@@ -54,7 +58,8 @@ class ClutterLearning {
   void discount_movers(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
   void own_returns(int age, const ScanLikelihood& likelihood);
   bool surely_moves(const TargetTrack& track, std::int64_t now) const;
-  void judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood);
+  void judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
+                  const std::function<bool()>& stopped);
   void price_anew(ScanLikelihood& likelihood);
   void add_gains(bool anew, TargetTrack& track, int slot, ScanLikelihood& likelihood);
   void take_change(int slot, TargetTrack& track) const;

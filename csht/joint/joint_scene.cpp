@@ -65,7 +65,7 @@ void JointScene::push(const core::PosedScan& scan) {
 
 void JointScene::learn() {
   learnings_[newest_sensor_].learn(tracks, likelihood);
-  clutter.learn(tracks, likelihood);
+  if (!stopped()) clutter.learn(tracks, likelihood, stopped);
 }
 
 TargetTrack* JointScene::free_track() {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/random.hpp"
@@ -39,6 +40,8 @@ class JointScene {
   ClutterLearning clutter;          ///< Where false returns are dense, from the same scans.
   TrajectoryCloud fresh;            ///< Where a cloud is drawn before it replaces another.
   std::vector<TargetTrack> tracks;  ///< Slots, used again when free.
+  /// Asked between the pieces of a scan's work: true once the scan is given up, and the rest may be left.
+  std::function<bool()> stopped = [] { return false; };
 
   /// Takes the next scan, later than all before it. @return seconds since the one before; 0 for the first.
   double take(const core::PosedScan& scan);

@@ -131,10 +131,12 @@ PairSeeds::PairSeeds(const BirthParams& params) : params_(params) {
   step_.reserve(kReserve);
 }
 
-std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const TargetPrior& prior) {
+std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const TargetPrior& prior,
+                                              const std::function<bool()>& stopped) {
   seeds_.clear();
   prior_ = prior;
   scans_ = &likelihood.scans();
+  stopped_ = &stopped;
   collect_free_detections(likelihood);
   const int window = longest_window();
   const int first_look = std::min(window, oldest_within(params_.first_look_s, *scans_));
@@ -147,6 +149,7 @@ std::span<const BirthSeed> PairSeeds::propose(ScanLikelihood& likelihood, const 
   }
   refine_and_merge(likelihood);
   weigh(likelihood);
+  if (stopped()) return {};
   return seeds_;
 }
 
@@ -237,6 +240,7 @@ void PairSeeds::add_pair(const SeedPoint& newest, const SeedPoint& older, double
 void PairSeeds::score(ScanLikelihood& likelihood, int oldest) {
   step_.resize(scores_.size());
   for (int age = scored_to_ + 1; age <= oldest; ++age) {
+    if ((*stopped_)()) return;
     std::fill(step_.begin(), step_.end(), 0.0);
     add_log_ratio(scans_->at_age(age), likelihood.mask(age, ScanLikelihood::kNobody, -1), pairs_.span(),
                   scans_->seconds_at_age(age), params_.seed_tolerance, step_);
@@ -278,6 +282,7 @@ void PairSeeds::refine_and_merge(const ScanLikelihood& likelihood) {
             [this](std::size_t a, std::size_t b) { return scores_[a].best > scores_[b].best; });
   int tried = 0;
   for (const std::size_t i : order_) {
+    if ((*stopped_)()) return;
     if (static_cast<int>(seeds_.size()) >= params_.seeds || tried >= params_.tries_per_seed * params_.seeds)
       break;
     BirthSeed seed;
@@ -348,6 +353,7 @@ void PairSeeds::weigh(ScanLikelihood& likelihood) {
   }
   line_.assign(seeds_.size(), 0.0);
   for (int age = oldest; age >= 0; --age) {
+    if ((*stopped_)()) return;
     begin_lines(likelihood, age);
     add_births(likelihood.log_birth(age), line_);
     add_log_ratio(scans_->at_age(age), likelihood.mask(age, ScanLikelihood::kNobody, -1), lines_.span(),

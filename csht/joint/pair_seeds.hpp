@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -55,7 +56,10 @@ class PairSeeds {
 
   /// Seeds at the newest scan, most probable first; valid until the next call.
   /// @param likelihood with the claims of all tracks. @param prior of the targets.
-  std::span<const BirthSeed> propose(ScanLikelihood& likelihood, const TargetPrior& prior);
+  /// @param stopped asked between the pieces of the work; once it is true nothing is proposed.
+  std::span<const BirthSeed> propose(
+      ScanLikelihood& likelihood, const TargetPrior& prior,
+      const std::function<bool()>& stopped = [] { return false; });
   std::size_t num_pairs() const { return num_pairs_; }  ///< That were scored by the last call.
 
  private:
@@ -88,7 +92,8 @@ class PairSeeds {
 
   BirthParams params_;
   TargetPrior prior_;
-  const ScanHistory* scans_ = nullptr;  ///< Of the call to `propose` that runs.
+  const ScanHistory* scans_ = nullptr;              ///< Of the call to `propose` that runs.
+  const std::function<bool()>* stopped_ = nullptr;  ///< Likewise.
   std::vector<SeedPoint> newest_, older_;
   TrajectoryCloud pairs_;
   std::size_t num_pairs_ = 0;

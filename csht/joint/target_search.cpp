@@ -29,15 +29,18 @@ TargetSearch::TargetSearch(const JointEngineParams& params)
 
 std::span<const int> TargetSearch::find(JointScene& scene) {
   prepare(scene);
-  for (const BirthSeed& seed : seeds_.propose(scene.likelihood, scene.prior))
+  for (const BirthSeed& seed : seeds_.propose(scene.likelihood, scene.prior, scene.stopped)) {
+    if (scene.stopped()) break;
     if (seed.log_odds > hypotheses_.tentative_log_odds - params_.hopeless && !known(seed, scene))
       begin(seed, scene);
+  }
   return found_;
 }
 
 std::span<const int> TargetSearch::weigh(std::span<const BirthSeed> seeds, JointScene& scene) {
   prepare(scene);
   for (BirthSeed seed : seeds) {
+    if (scene.stopped()) break;
     seed.window = window_of(seed.guess, scene.scans());
     if (!known(seed, scene)) begin(seed, scene);
   }

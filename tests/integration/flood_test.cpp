@@ -2,8 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "core/files/grey_image.hpp"
 #include "tests/integration/program.hpp"
 #include "tests/support/temporary_directory.hpp"
 
@@ -32,7 +34,8 @@ class Flood : public ::testing::Test {
   std::string said_;
 };
 
-// Its targets were hidden behind the ring-down: 20 m. Without it, sea_uniform.yaml, they are at 2 m; 3.9 m came out.
+// Its targets were hidden behind the ring-down: 20 m. Without it, sea_uniform.yaml, they are at 2 m; 3.9 m
+// came out.
 TEST_F(Flood, ARingDownHidesNothingAndIsCounted) {
   const auto summary = run("sea_several_returns.yaml", 80);
   EXPECT_LT(ospa(summary), 0.3 * kNobodyFollowed);
@@ -57,16 +60,48 @@ TEST_F(Flood, WhatIsLeftOutOfACrowdedScanIsCounted) {
             512 * received["tracked"].get<int>());
 }
 
-// The limit of a file's size stands in for a full disk; LCM tells of neither.
-TEST(FullDisk, UnderALogIsStatusOneAndALine) {
-  const TemporaryDirectory folder;
-  const std::string sim = std::string(LOOKOUT_PROGRAM) + " sim " + kScenes + "crossing.yaml --speed max";
-  const std::string log = " --lcm-url 'file://" + folder.file("log") + "?mode=w'";
-  const std::string limited = "trap '' XFSZ; ulimit -f 8; exec " + sim + log + " 2> " + folder.file("said");
-  const int status = std::system(limited.c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 1);
-  EXPECT_NE(text_of(folder.file("said")).find("bytes could be written: is the disk full?"),
-            std::string::npos);
+/// The limit of a file's size, 4 kB, stands in for a full disk.
+class FullDisk : public ::testing::Test {
+ protected:
+  /// Runs the program and asks for status 1 and these words.
+  void expect_refusal(const std::string& arguments, const std::string& what) const {
+    const std::string program = std::string(LOOKOUT_PROGRAM) + " " + arguments;
+    const int status =
+        std::system(("trap '' XFSZ; ulimit -f 8; exec " + program + " 2> " + folder_.file("said")).c_str());
+    EXPECT_EQ(WEXITSTATUS(status), 1) << arguments;
+    const std::string said = text_of(folder_.file("said"));
+    EXPECT_NE(said.find(what), std::string::npos) << said;
+  }
+
+  TemporaryDirectory folder_;
+};
+
+// LCM tells of neither.
+TEST_F(FullDisk, UnderALogIsStatusOneAndALine) {
+  expect_refusal(
+      "sim " + kScenes + "crossing.yaml --speed max --lcm-url 'file://" + folder_.file("log") + "?mode=w'",
+      "bytes could be written: is the disk full?");
+}
+
+// A picture that could not be written was once left out, like one that cannot be read, with status 0.
+TEST_F(FullDisk, UnderPicturesIsStatusOneAndALineAndLeavesNoPart) {
+  for (int k = 1; k <= 3; ++k)
+    core::write_pgm(folder_.file("picture" + std::to_string(k) + ".pgm"),
+                    {60, 60, std::vector<double>(3600, 1.0)});
+  const std::string geometry = folder_.write(
+      "geometry.yaml",
+      "num_beams: 60\nfirst_bearing_deg: -59\nbearing_step_deg: 2\nrange_step: 1\nping_period: 1\n");
+  expect_refusal("import pgm " + folder_.path() + " " + geometry + " --out " + folder_.file("out"),
+                 "000000.pgm: could not be written completely");
+  EXPECT_TRUE(std::filesystem::is_empty(folder_.file("out/images")));
+}
+
+TEST_F(FullDisk, UnderResultsIsStatusOneAndALine) {
+  const std::string out = " --out " + folder_.file("out");
+  expect_refusal("replay " LOOKOUT_SOURCE_DIR "/tests/data/cases/range_switched.lcmlog --tracker gnn" + out,
+                 "could not be written completely");
+  expect_refusal("experiment csht-window --runs 1 --jobs 1 --only method=sht" + out,
+                 "runs.jsonl: could not be written");
 }
 
 }  // namespace

@@ -152,7 +152,8 @@ TEST_F(LogCases, NoTrackOfTwoSonarsIsFlungOutOfTheirView) {
 TEST_F(LogCases, DamagedLengthsCostTheirEventsAlone) {
   const auto result = replay(case_file("log_lengths_damaged"), "log");
   EXPECT_EQ(result.status, 0) << result.err;
-  expect_said(result, "47 messages");  // Those that are whole.
+  expect_said(result, "47 messages");  // Those that are whole, and of them
+  expect_said(result, "15 scans tracked");
   expect_said(result, "place(s) could not be read");
 }
 

@@ -279,14 +279,6 @@ TEST(TrackingChainReturns, ReadsABeamOfSeveralReturnsAsPoints) {
             "configuration says how many from the start");
 }
 
-// What is tracked again may be many scans at once; who must end does not wait for them.
-TEST(TrackingChainReturns, TracksNothingMoreOnceItIsStopped) {
-  ToldChain told;
-  told.chain.stop_when([] { return true; });
-  for (int k = 0; k < 14; ++k) told.scan(0.5 * k, k, 100.0, {{0.0, 20.0 + k}, {0.0, 40.0 + k}});
-  EXPECT_EQ(told.ids.size(), 11u);  // Until the twelfth scan asks for the others to be tracked again.
-}
-
 // The default of 3 m is that of a sonar of 150 m.
 TEST(TrackingChainScale, TakesNoDefaultSigmaThatIsHalfTheRange) {
   ToldChain imaging, usual;

@@ -97,7 +97,9 @@ int track_command(const Options& options) {
   params.link = configuration.fusion.link;
   params.state_file = options.state;
   if (configuration.explain) params.decisions = std::make_shared<std::string>();
-  const auto link = open_when_possible(options.lcm_url, loop_limits(options));
+  const lcmtypes::LoopLimits limits = loop_limits(options);
+  params.stopped = limits.stopped;
+  const auto link = open_when_possible(options.lcm_url, limits);
   if (!link) return 0;
   if (tracks_images(configuration))
     track_images(*link, params, configuration, options);

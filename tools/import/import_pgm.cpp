@@ -130,11 +130,7 @@ class PgmImport {
     const auto utime = time_of(path, index);
     if (!utime) return leave_out(path + ": has no time in the file that `times` names");
     if (writer_ && *utime <= last_utime_) return leave_out(path + ": is not later than the picture before");
-    try {
-      write(image_of(path, geometry_), *utime, index);
-    } catch (const core::InputError& error) {
-      leave_out(error.what());
-    }
+    if (auto image = picture(path)) write(std::move(*image), *utime, index);
   }
 
   ImportSummary finish(const std::string& folder) {
@@ -151,6 +147,15 @@ class PgmImport {
   }
 
  private:
+  std::optional<core::SonarImage> picture(const std::string& path) {
+    try {
+      return image_of(path, geometry_);
+    } catch (const core::InputError& error) {
+      leave_out(error.what());
+      return std::nullopt;
+    }
+  }
+
   std::optional<std::int64_t> time_of(const std::string& path, std::int64_t index) const {
     if (geometry_.ping_period) return core::microseconds(static_cast<double>(index) * *geometry_.ping_period);
     const auto found = geometry_.utimes.find(std::filesystem::path(path).filename().string());

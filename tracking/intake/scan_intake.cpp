@@ -151,6 +151,12 @@ void PingIntake<Ping>::shed(const Ping& ping) {
 }
 
 template <class Ping>
+void PingIntake<Ping>::shed_accepted() {
+  ledger_.counts = before_;
+  ++ledger_.counts.shed;
+}
+
+template <class Ping>
 typename PingIntake<Ping>::Sensor* PingIntake<Ping>::sensor_of(const Ping& ping) {
   const auto found = sensors_.find(ping.sensor_id);
   if (found != sensors_.end()) return &found->second;
@@ -247,6 +253,7 @@ void PingIntake<Ping>::hand_out(const core::Pose2& T_earth_body) {
   const DroppedReturns dropped = sensor.guards.drop_returns_of(ping);
   if (const auto reason = contradiction(sensor, dropped, T_earth_body); !reason.empty())
     return reject(ping, reason, ledger_.counts.contradicting);
+  before_ = ledger_.counts;
   ledger_.counts.returns += returns;
   ledger_.counts.silent_returns += dropped.silent;
   ledger_.counts.dropped_returns += dropped.out_of_bounds;

@@ -77,8 +77,11 @@ class PingIntake {
   void add(const core::VehicleState& state);  ///< The next one in the order of arrival.
   void add(Ping ping);                        ///< Likewise.
   void shed(const Ping& ping);  ///< A ping came but is not to be looked at: there is no time for it.
-  void finish();                ///< There is no more: what still waits for a pose will not get one.
-  void start_new_clock();       ///< What comes now is on another clock, as who keeps a recording knows.
+  /// Within `Sink::accept`: there was no time for the ping after all. It counts as shed, and its returns as
+  /// none.
+  void shed_accepted();
+  void finish();           ///< There is no more: what still waits for a pose will not get one.
+  void start_new_clock();  ///< What comes now is on another clock, as who keeps a recording knows.
 
   const IntakeCounts& counts() const { return ledger_.counts; }  ///< Since the start.
   /// What came so far was another process's: counts from now on, and believes a pause at once.
@@ -125,6 +128,7 @@ class PingIntake {
   std::optional<std::int64_t> handed_out_;  ///< Time of the newest ping that has left [us].
   std::optional<std::int64_t> accepted_;    ///< Of those, of the newest that was accepted [us].
   Posed posed_;
+  IntakeCounts before_;  ///< As they were before the ping that is accepted.
   IntakeLedger ledger_;
 };
 

@@ -43,6 +43,7 @@ class JointTracker : public Tracker {
   }
   bool explains() const override { return true; }
   void explain_to(const DecisionLog& log) override { state_.log = log; }
+  void stop_when(const std::function<bool()>& stopped) override { state_.stopped = stopped; }
   std::int64_t next_id() const override { return state_.next_id(); }
   void set_next_id(std::int64_t id) override { state_.set_next_id(id); }
   bool can_retrodict() const override { return true; }

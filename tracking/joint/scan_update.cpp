@@ -55,6 +55,7 @@ void ScanUpdate::update(TrackerState& state) {
   claim_provisionally(state);
   for (csht::TargetTrack& track : state.tracks) {
     if (!track.used) continue;
+    if (state.stopped()) return;
     take_scan(track, state);
     judge_motion(track, state);
     claims_.claim_memory(state.slot_of(track), track, csht::memory_of(track, state.scans(), memory_),
@@ -67,6 +68,7 @@ void ScanUpdate::update(TrackerState& state) {
 void ScanUpdate::claim_provisionally(TrackerState& state) {
   for (csht::TargetTrack& track : state.tracks) {
     if (!track.used) continue;
+    if (state.stopped()) return;
     const int self = state.slot_of(track);
     track.log_ratio.assign(track.cloud.size(), 0.0);
     state.likelihood.add(track.cloud, track.moments.mean, {0, 0}, csht::ScanLikelihood::kEverybody,

@@ -32,6 +32,8 @@ struct TrackerNodeParams {
   /// does not wait for us, else no limit.
   std::optional<std::size_t> max_waiting = std::nullopt;
   std::string state_file;  ///< Where the tracker's memory is kept for a restart; empty: nowhere.
+  /// Asked while that memory is tracked again: true once a stop signal came.
+  std::function<bool()> stopped = [] { return false; };
 
   static constexpr std::size_t kMaxWaiting = 16;  ///< Eight seconds of Table 7's sonar. Own choice.
 };

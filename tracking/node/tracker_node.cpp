@@ -190,11 +190,13 @@ void ChainNode<Chain>::load_state() {
   if (params_.state_file.empty()) return;
   if constexpr (requires { chain_->remember(); }) {
     chain_->remember();
+    chain_->stop_when(params_.stopped);
     const lcmtypes::LoadedState state = lcmtypes::load_state(params_.state_file);
     if (!state.refusal.empty())
       return node_.note(params_.state_file + ": " + state.refusal + "; starting without what was known");
     if (!state.memory) return;
     const std::size_t found = chain_->restore(*state.memory);
+    if (params_.stopped()) return;
     node_.note("goes on where " + params_.state_file +
                " ended: " + std::to_string(state.memory->scans.size()) + " scans tracked again, " +
                std::to_string(found) + " tracks found again");

@@ -47,6 +47,17 @@ TEST(PairSeeds, WhatATrackClaimsIsNoSeed) {
   EXPECT_TRUE(birth.propose(likelihood, TargetPrior()).empty());
 }
 
+TEST(PairSeeds, AreNoneOnceTheWorkIsStopped) {
+  ScanLikelihood likelihood = moving_target(20);
+  PairSeeds birth({});
+  for (const int stop_call : {1, 2, 5, 10}) {
+    int calls = 0;
+    EXPECT_TRUE(birth.propose(likelihood, TargetPrior(), [&] { return ++calls >= stop_call; }).empty());
+    EXPECT_LE(calls, stop_call + 4);  // Each of the steps that are left asks once.
+  }
+  EXPECT_FALSE(birth.propose(likelihood, TargetPrior()).empty());
+}
+
 TEST(PairSeeds, OneScanHasNoPairs) {
   ScanLikelihood likelihood = moving_target(1);
   PairSeeds birth({});

@@ -235,6 +235,24 @@ TEST_F(SmallTrackerNodeTest, KeepsItsStateAndGoesOnByIt) {
   EXPECT_NE(said_.back().find("3 scans tracked again"), std::string::npos) << said_.back();
 }
 
+TEST_F(SmallTrackerNodeTest, AStopWhileItsStateIsTrackedAgainEndsThatAndLeavesTheState) {
+  {
+    const auto tracker = node();
+    scans(0, 3);
+    tracker->run({.idle_exit = 0.05});
+  }
+  said_.clear();
+  TrackerNodeParams params;
+  params.state_file = directory_.file("state");
+  params.stopped = [] { return true; };
+  lcmtypes::Bus again("memq://");
+  TrackerNode tracker(again, params, &stub_chain, [this](const std::string& line) { said_.push_back(line); });
+  tracker.run({.stopped = params.stopped});
+  EXPECT_EQ(tracker.counts().accepted, 0);
+  EXPECT_EQ(lcmtypes::load_state(directory_.file("state")).memory->scans.size(), 3u);
+  for (const std::string& line : said_) EXPECT_EQ(line.find("tracked again"), std::string::npos) << line;
+}
+
 // Whoever hears of a track and then ends the process finds it in the state, though the state is two seconds
 // old otherwise.
 TEST_F(SmallTrackerNodeTest, KeepsAnIdentityBeforeItIsTold) {
