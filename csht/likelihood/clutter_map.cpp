@@ -121,8 +121,12 @@ void ClutterMap::mark_looks(const ScanTable& scan) const {
   num_counted_ = num_far_ = num_others_ = 0.0;
   for (const Look& look : memory_.looks()) {
     const std::int64_t lag = std::abs(look.utime - scan.utime);
-    const LookTime& time = times_.emplace_back(look.utime == scan.utime,
-                                               look.utime<scan.utime, lag> leave_out_us_, lag > spot_us_);
+    LookTime time;
+    time.own = look.utime == scan.utime;
+    time.before = look.utime < scan.utime;
+    time.counted = lag > leave_out_us_;
+    time.far = lag > spot_us_;
+    times_.push_back(time);
     num_counted_ += time.counted ? 1.0 : 0.0;
     num_far_ += time.far ? 1.0 : 0.0;
     num_others_ += time.own ? 0.0 : 1.0;

@@ -114,7 +114,8 @@ core::SonarImage image_of(const std::string& path, const PictureGeometry& geomet
     for (int bin = 0; bin < image.num_bins; ++bin) {
       const int range = geometry.first_is_nearest ? bin : image.num_bins - 1 - bin;
       const int pixel = geometry.rows_are_beams ? beam * grey.columns + range : range * grey.columns + beam;
-      image.intensity[static_cast<std::size_t>(beam * image.num_bins + bin)] =
+      image.intensity[static_cast<std::size_t>(beam) * static_cast<std::size_t>(image.num_bins) +
+                      static_cast<std::size_t>(bin)] =
           image.intensity_scale * grey.pixels[static_cast<std::size_t>(pixel)];
     }
   core::count_from_port(image);

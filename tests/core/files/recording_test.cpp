@@ -14,12 +14,12 @@ Recording small_recording() {
   recording.params = SonarParams{};
   for (int k = 0; k < 3; ++k) {
     SonarScan scan;
-    scan.utime = 500'000 * k;
+    scan.utime = 500'000L * k;
     scan.sequence = k;
     if (k != 1) scan.returns = {{0.1 * k, 10.0 + k, 1.0}, {-0.2, 1.0 / 3.0, 2.0}};
     recording.scans.push_back(scan);
-    recording.vehicle.push_back({500'000 * k, {1.0 * k, 2.0, 0.5}, {0, 0}});
-    recording.truth.push_back({500'000 * k, {{4, {1, 2}, {3, 4}, k == 2}}});
+    recording.vehicle.push_back({500'000L * k, {1.0 * k, 2.0, 0.5}, {0, 0}});
+    recording.truth.push_back({500'000L * k, {{4, {1, 2}, {3, 4}, k == 2}}});
   }
   return recording;
 }

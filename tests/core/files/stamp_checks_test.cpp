@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+
 #include "core/files/recording.hpp"
 #include "tests/support/reading.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -113,20 +116,21 @@ TEST(StampChecks, AnIdentityTwiceAtOneTimeIsRefused) {
 
 // Two pings a second in whole seconds: each beam stands twice, and the bearings go back.
 TEST(StampChecks, SeveralScansOfOneTimeAreToldWithTheFirstLine) {
-  std::string merged, ordered, fine;
+  std::ostringstream merged, ordered, fine;
   for (int k = 0; k < 6; ++k) {
-    const std::string time = std::to_string(k);
-    merged += time + ",-.2,5,1\n" + time + ",.1,9,1\n" + time + ",-.2,5.1,1\n" + time + ",.1,9.1,1\n";
-    ordered += time + ",-.2,5,1\n" + time + ",-.2,5.1,1\n" + time + ",.1,9,1\n" + time + ",.1,9.1,1\n";
-    const std::string exact = time + ".00000" + std::to_string(k * k % 10);
-    fine += exact + ",-.2,5,1\n" + exact + ",.1,9,1\n" + exact + ",-.2,5.1,1\n";
+    merged << k << ",-.2,5,1\n" << k << ",.1,9,1\n" << k << ",-.2,5.1,1\n" << k << ",.1,9.1,1\n";
+    ordered << k << ",-.2,5,1\n" << k << ",-.2,5.1,1\n" << k << ",.1,9,1\n" << k << ",.1,9.1,1\n";
+    const std::string exact = std::to_string(k).append(".00000").append(std::to_string(k * k % 10));
+    fine << exact << ",-.2,5,1\n" << exact << ",.1,9,1\n" << exact << ",-.2,5.1,1\n";
   }
-  EXPECT_NE(StampedRecording(merged).notes().find(
-                "scans.csv:2: 6 of 6 times hold two returns of one beam, not in order"),
+  EXPECT_NE(StampedRecording(merged.str())
+                .notes()
+                .find("scans.csv:2: 6 of 6 times hold two returns of one beam, not in order"),
             std::string::npos)
-      << StampedRecording(merged).notes();
-  EXPECT_EQ(StampedRecording(ordered).notes(), "");  // One scan of two returns a beam, as programs write it.
-  EXPECT_EQ(StampedRecording(fine).notes(), "");     // Of a clock of microseconds: nothing was cut.
+      << StampedRecording(merged.str()).notes();
+  EXPECT_EQ(StampedRecording(ordered.str()).notes(),
+            "");  // One scan of two returns a beam, as programs write it.
+  EXPECT_EQ(StampedRecording(fine.str()).notes(), "");  // Of a clock of microseconds: nothing was cut.
 }
 
 TEST(StampChecks, AnotherSequenceAtOneTimeIsRefused) {

@@ -66,8 +66,9 @@ TEST_F(IntakeGuardsTest, TellsOfASensorThatIsFrozenAndLeavesItOut) {
 // Each scan comes twice, the second time stamped a millisecond later and numbered on.
 TEST_F(IntakeGuardsTest, RefusesTheDoubleOfAScanUnderALaterStamp) {
   for (int i = 0; i < 8; ++i) {
-    auto ping = scan(i / 2 * kSecond + i % 2 * kSecond / 1000, i);
-    ping.returns = {{0.0, 10.0 + i / 2, 1.0}, {0.1, 20.0, 1.0}, {0.2, 30.0, 1.0}};
+    const int pair = i / 2;
+    auto ping = scan(pair * kSecond + i % 2 * kSecond / 1000, i);
+    ping.returns = {{0.0, 10.0 + pair, 1.0}, {0.1, 20.0, 1.0}, {0.2, 30.0, 1.0}};
     state(ping.utime);
     intake_.add(ping);
   }

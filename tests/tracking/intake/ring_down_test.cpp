@@ -30,7 +30,7 @@ core::SonarScan ringing_scan(int beams, double range, bool targets) {
   return scan;
 }
 
-std::int64_t left_out_of(RingDown& ring, core::SonarScan scan, int scans) {
+std::int64_t left_out_of(RingDown& ring, const core::SonarScan& scan, int scans) {
   std::int64_t left_out = 0;
   for (int k = 0; k < scans; ++k) {
     core::SonarScan next = scan;

@@ -29,7 +29,8 @@ TEST(SeveralReturns, AreNoHabitWhereTheyAreFewOrSeldom) {
   SeveralReturns few, seldom;
   for (int k = 0; k < 40; ++k) {
     core::SonarScan one = scan_of(1);
-    for (int i = 0; i < 100; ++i) one.returns.push_back({(10 + i % 70) * one.bearing_step, 20.0 + i / 70});
+    for (int i = 0; i < 100; ++i)
+      one.returns.push_back({(10 + i % 70) * one.bearing_step, i < 70 ? 20.0 : 21.0});
     one.num_beams = 10;  // What lies outside of the beams is in none of them.
     EXPECT_FALSE(few.learn(one));
     EXPECT_FALSE(seldom.learn(scan_of(k % 2 == 0 ? 10 : 0)));

@@ -71,12 +71,13 @@ class TrackerNodeTest : public ::testing::Test {
   }
   TrackerNodeTest() {
     bus_.subscribe<track_list_t>("AUV1_TRACKS",
-                                 [this](lcmtypes::KeyedTracks tracks) { tracks_.push_back(tracks); });
+                                 [this](const lcmtypes::KeyedTracks& tracks) { tracks_.push_back(tracks); });
     bus_.subscribe<motion_elements_t>(
-        "AUV1_MOTION_ELEMENTS", [this](lcmtypes::KeyedElements elements) { elements_.push_back(elements); });
+        "AUV1_MOTION_ELEMENTS",
+        [this](const lcmtypes::KeyedElements& elements) { elements_.push_back(elements); });
     bus_.subscribe<sensor_estimate_t>("AUV1_SENSOR_ESTIMATE", [this](const auto&) { ++sensor_estimates_; });
     bus_.subscribe<local_estimate_t>(
-        "LOCAL_ESTIMATE", [this](core::LocalEstimate estimate) { estimates_.push_back(estimate); });
+        "LOCAL_ESTIMATE", [this](const core::LocalEstimate& estimate) { estimates_.push_back(estimate); });
     bus_.subscribe_bytes("AUV1_LOOKOUT_STATUS", [this](auto bytes) {
       status_ = lcmtypes::decode<node_status_t>(bytes.data(), bytes.size());
     });
@@ -230,7 +231,8 @@ TEST_F(SmallTrackerNodeTest, KeepsItsStateAndGoesOnByIt) {
   lcmtypes::Bus again("memq://");
   TrackerNodeParams params;
   params.state_file = directory_.file("state");
-  TrackerNode(again, params, &stub_chain, [this](const std::string& line) { said_.push_back(line); });
+  const TrackerNode next(again, params, &stub_chain,
+                         [this](const std::string& line) { said_.push_back(line); });
   ASSERT_FALSE(said_.empty());
   EXPECT_NE(said_.back().find("3 scans tracked again"), std::string::npos) << said_.back();
 }
