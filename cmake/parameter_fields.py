@@ -139,6 +139,8 @@ def main():
             '#include "core/files/parameter_list.hpp"', *(f'#include "{header}"' for header in headers)]
     done = set()
     for item in wanted:
+        if item.split(":")[1] not in structs:
+            sys.exit(f"parameter_fields: {item}: no such struct there")
         for struct in in_order(item.split(":")[1], structs, done):
             text += [f"namespace {struct.namespace} {{", function_of(struct, structs, skipped),
                      f"}}  // namespace {struct.namespace}"]

@@ -59,7 +59,7 @@ TEST(Recorder, KeepsThePoseThatAScanHadThoughAnotherStateCameAfterIt) {
   recorder.add(state_at(0, 0.0));
   recorder.add(scan_at(kSecond / 2, 0));
   recorder.add(state_at(kSecond, 1.0));            // The scan goes at 0.5 m.
-  recorder.add(state_at(3 * kSecond / 4, 300.0));  // Late, and beside the line.
+  recorder.add(state_at(3 * kSecond / 4, 10.0));  // Late, and beside the line.
   const core::Recording recording = recorder.finish();
   ASSERT_EQ(recording.vehicle.size(), 4u);
   EXPECT_EQ(recording.vehicle[1].utime, kSecond / 2);
