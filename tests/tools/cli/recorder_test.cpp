@@ -58,7 +58,7 @@ TEST(Recorder, KeepsThePoseThatAScanHadThoughAnotherStateCameAfterIt) {
   Recorder recorder{core::SonarParams()};
   recorder.add(state_at(0, 0.0));
   recorder.add(scan_at(kSecond / 2, 0));
-  recorder.add(state_at(kSecond, 1.0));            // The scan goes at 0.5 m.
+  recorder.add(state_at(kSecond, 1.0));           // The scan goes at 0.5 m.
   recorder.add(state_at(3 * kSecond / 4, 10.0));  // Late, and beside the line.
   const core::Recording recording = recorder.finish();
   ASSERT_EQ(recording.vehicle.size(), 4u);
