@@ -79,9 +79,8 @@ LookMemory::Limits limits_of(const ClutterMapParams& params, const core::SonarPa
 ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& sonar)
     : params_(params),
       range_reach_(params.range_reach * sonar.range_sigma),
-      leave_out_s_(sensor_seconds(params.leave_out_time, params.leave_out_scans, sonar)),
-      leave_out_us_(microseconds(leave_out_s_)),
-      spot_us_(microseconds(params.spot_times * leave_out_s_)),
+      leave_out_us_(microseconds(sensor_seconds(params.leave_out_time, params.leave_out_scans, sonar))),
+      spot_us_(static_cast<std::int64_t>(params.spot_times * static_cast<double>(leave_out_us_))),
       memory_(limits_of(params, sonar, leave_out_us_)),
       sonar_dense_(params.sonar_learning, params.sonar_prior.share),
       earth_dense_(params.earth_learning, params.standing_share) {

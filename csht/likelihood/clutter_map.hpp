@@ -103,7 +103,6 @@ class ClutterMap {
 
   ClutterMapParams params_;
   double range_reach_;  ///< [m].
-  double leave_out_s_;
   std::int64_t leave_out_us_, spot_us_;
   LookMemory memory_;
   TypicalRate typical_;

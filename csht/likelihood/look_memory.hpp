@@ -63,8 +63,6 @@ class LookMemory {
   std::size_t index_of(const BinnedPoint& point) const {
     return static_cast<std::size_t>(point.look - looks_.front().number);
   }
-  /// Time of a point's scan [us].
-  std::int64_t utime_of(const BinnedPoint& point) const { return looks_[index_of(point)].utime; }
   /// Where a point of the sonar's frame lies around the sonar of `scan`.
   SeenPlace place_around(const ScanTable& scan, const BinnedPoint& in_sonar) const;
 
