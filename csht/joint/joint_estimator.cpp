@@ -45,7 +45,7 @@ JointEngineParams for_window(const JointEstimatorParams& params, const core::Son
 JointEngineParams window_engine() {
   JointEngineParams engine;
   BirthParams& birth = engine.birth;
-  birth.enough_nats = birth.window_s = birth.first_look_s = kWholeWindow;
+  birth.enough_nats = birth.window_s = birth.first_look_s = birth.max_lag_s = kWholeWindow;
   birth.seed_tolerance.sigma_scale = 1.4;
   birth.refine_rounds = 4;
   birth.seeds = 100;

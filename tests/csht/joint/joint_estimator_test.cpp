@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "core/field_of_view.hpp"
+#include "csht/joint/density/sensor_scale.hpp"
 #include "tests/csht/joint/noisy_scans.hpp"
 
 namespace lookout::csht {
@@ -47,6 +48,16 @@ TEST(JointEstimator, ReportsWhereTheTargetsAre) {
 }
 
 // The sea looks the same from a sonar that is turned with it: the answer turns along.
+// Faster targets shorten what the tracker pairs within (10 s at 3 m/s), but a window is searched whole: at
+// P_M = .7 a target has too few detections to leave out those of the longest lags.
+TEST(JointEstimator, PairsDetectionsOverTheWholeWindowHoweverFastTargetsAre) {
+  core::SonarParams fast = known_sonar();
+  fast.max_speed = 5.0;
+  const double window = 20 * fast.scan_period;
+  EXPECT_LT(scaled(JointEngineParams(), SensorScale::of(fast)).birth.max_lag_s, window);
+  EXPECT_GE(scaled(window_engine(), SensorScale::of(fast)).birth.max_lag_s, window);
+}
+
 TEST(JointEstimator, TurnsWithTheScene) {
   const auto scans = testing::noisy_scans({{{80, 10}, {-1, 2}}}, 20, 9, 1008);
   auto turned = scans;
