@@ -220,11 +220,10 @@ ClutterMap::TwoExcesses ClutterMap::frame_excess(const ScanTable& scan, const Se
   memory_.in_sonar().visit(
       place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
         const LookTime& time = time_of(p);
-        const int side =
-            FrameCounts::side_of(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y);
-        if (time.own || side < 0) return;
-        all.take(side, static_cast<double>(p.weight), time.before);
-        free.take(side, static_cast<double>(p.weight * p.free), time.before);
+        if (time.own) return;
+        const double across = static_cast<double>(p.x) - place.beam, along = static_cast<double>(p.y) - y;
+        all.take(across, along, static_cast<double>(p.weight), time.before);
+        free.take(across, along, static_cast<double>(p.weight * p.free), time.before);
       });
   const double per_area = num_others_ * rate / scan.num_beams * range_reach_ / scan.max_range;
   const FrameCounts::Border border =

@@ -6,7 +6,8 @@
 namespace lookout::csht {
 namespace {
 
-constexpr double kCorners = 0.25;  // Share of what is dense that lies at its corners.
+constexpr double kCorners = 0.25;   // Share of what is dense that lies at its corners,
+constexpr double kSlanting = 0.25;  // and that runs on nearer or farther than a place.
 
 // Of two Poisson numbers with one mean the difference is about the root of their sum.
 double of_both(double one, double other) {
@@ -21,22 +22,56 @@ FrameCounts::Border FrameCounts::border_at(const ScanTable& scan, double beam, d
   return {beam - kToSide<-half, beam + kToSide> half, reaches - kToEnd<0.0, reaches + kToEnd> last_reach};
 }
 
-double FrameCounts::richest() const {
-  double most = 0.0;
-  for (std::size_t side = 0; side < 4; ++side) {
-    const double count = counts_[0][side] + counts_[1][side];
-    most = std::max(most, side < 2 ? count : count * kBesideArea / kAroundArea);
+void FrameCounts::take(double across, double along, double weight, bool before) {
+  const double a = std::abs(across), b = std::abs(along);
+  const std::size_t time = before ? 0 : 1;
+  if (a > kBeams || b > kReaches) return;
+  if (a <= kMiddleBeams) {
+    if (b > kMiddleReaches) ends_[time][along < 0.0 ? 0 : 1][0] += weight;
+    return;
   }
+  Pair<kWindows>::value_type& windows = sides_[time][across < 0.0 ? 0 : 1];
+  for (std::size_t k = 0; k < kWindows; ++k) {
+    const double middle = static_cast<double>(k) - static_cast<double>(kLevel);
+    if (std::abs(along - middle * kMiddleReaches) <= kMiddleReaches) windows[k] += weight;
+  }
+}
+
+double FrameCounts::beside(const Border& border) const {
+  return sum(sides_, kLevel, kLevel, {border.left, border.right});
+}
+
+double FrameCounts::around(const Border& border) const {
+  return sum(ends_, 0, 0, {border.near, border.far});
+}
+
+double FrameCounts::slanting(const Border& border) const {
+  double most = 0.0;
+  for (std::size_t left = 0; left < kWindows; ++left)
+    for (std::size_t right = 0; right < kWindows; ++right)
+      most = std::max(most, sum(sides_, left, right, {border.left, border.right}));
   return most;
 }
 
-double FrameCounts::sum(std::size_t first, bool first_is_beyond, bool second_is_beyond) const {
+double FrameCounts::richest() const {
+  return std::max(richer(sides_, kLevel), richer(ends_, 0) * kBesideArea / kAroundArea);
+}
+
+// Of the two sides the one that has more, before and after together.
+template <std::size_t windows>
+double FrameCounts::richer(const Counts<windows>& counts, std::size_t window) {
+  return std::max(counts[0][0][window] + counts[1][0][window], counts[0][1][window] + counts[1][1][window]);
+}
+
+// What both sides have, each in a window of its own; one that is `beyond` the fan is taken to be like the
+// other.
+template <std::size_t windows>
+double FrameCounts::sum(const Counts<windows>& counts, std::size_t one, std::size_t other,
+                        std::array<bool, 2> beyond) {
   double total = 0.0;
-  for (const auto& sides : counts_) {
-    const double one = sides[first_is_beyond ? first + 1 : first];
-    const double other = sides[second_is_beyond ? first : first + 1];
-    total += of_both(one, other);
-  }
+  for (const Pair<windows>& sides : counts)
+    total +=
+        of_both(beyond[0] ? sides[1][other] : sides[0][one], beyond[1] ? sides[0][one] : sides[1][other]);
   return total;
 }
 
@@ -44,7 +79,9 @@ FrameExcess::FrameExcess(const FrameCounts& frame, const FrameCounts::Border& bo
                          ExcessPrior prior)
     : both_(denser(excess(frame.beside(border), per_area * FrameCounts::kBesideArea, prior),
                    excess(frame.around(border), per_area * FrameCounts::kAroundArea, prior))) {
-  prior.share *= kCorners;
+  prior.share *= kSlanting;
+  both_ = denser(both_, excess(frame.slanting(border), per_area * FrameCounts::kBesideArea, prior));
+  prior.share *= kCorners / kSlanting;
   edge_ = excess(frame.richest(), 0.5 * per_area * FrameCounts::kBesideArea, prior);
 }
 

@@ -30,26 +30,20 @@ class FrameCounts {
   /// @param reaches from the sonar, @param last_reach of the fan [reaches].
   static Border border_at(const ScanTable& scan, double beam, double reaches, double last_reach);
 
-  /// Where a return lies `across` beams to starboard and `along` reaches beyond the place: 0 left, 1 right, 2
-  /// nearer, 3 farther; -1 in the middle or outside.
-  static int side_of(double across, double along) {
-    const double a = std::abs(across), b = std::abs(along);
-    if (a > kMiddleBeams && a <= kBeams && b <= kMiddleReaches) return across < 0.0 ? 0 : 1;
-    if (b > kMiddleReaches && b <= kReaches && a <= kMiddleBeams) return along < 0.0 ? 2 : 3;
-    return -1;
-  }
-
-  /// Takes a return on one of the sides in, that counts `weight`. @param side of `side_of`, not -1. @param
-  /// before it was heard before the scan at hand, else after.
-  void take(int side, double weight, bool before) {
-    counts_[before ? 0 : 1][static_cast<std::size_t>(side)] += weight;
-  }
+  /// Takes a return in that lies `across` beams to starboard of the place and `along` reaches beyond it; one
+  /// in the middle or outside the frame does not count. @param before it was heard before the scan at hand,
+  /// else after.
+  void take(double across, double along, double weight, bool before);
 
   /// Returns that clutter alone brings to both sides, and to both ends. A moving target's trail lies on one
   /// side of the place in the scans before, and on the other in those after: where two sides differ by more
   /// than chance, twice the poorer one counts.
-  double beside(const Border& border) const { return sum(0, border.left, border.right); }
-  double around(const Border& border) const { return sum(2, border.near, border.far); }  ///< See `beside`.
+  double beside(const Border& border) const;
+  double around(const Border& border) const;  ///< See `beside`.
+  /// As `beside`, where what is dense runs on nearer or farther than the place, as a bottom does that rises
+  /// or bends: of the windows of either side, which lie a reach nearer, level with the place or a reach
+  /// farther, the pair that has most.
+  double slanting(const Border& border) const;
 
   /// Most returns for its area that a single side or end has, in units of a side's area.
   double richest() const;
@@ -63,9 +57,21 @@ class FrameCounts {
   static constexpr double kToEnd = 0.5 * (kMiddleReaches + kReaches);  ///< See above.
 
  private:
-  double sum(std::size_t first, bool first_is_beyond, bool second_is_beyond) const;
+  static constexpr std::size_t kWindows = 3, kLevel = 1;  // Of a side: nearer, level with the place, farther.
+  template <std::size_t windows>
+  using Pair =
+      std::array<std::array<double, windows>, 2>;  // Two opposite sides: left and right, near and far.
+  template <std::size_t windows>
+  using Counts = std::array<Pair<windows>, 2>;  // Before and after.
 
-  std::array<std::array<double, 4>, 2> counts_{};  ///< Before and after; left, right, nearer, farther.
+  template <std::size_t windows>
+  static double sum(const Counts<windows>& counts, std::size_t one, std::size_t other,
+                    std::array<bool, 2> beyond);
+  template <std::size_t windows>
+  static double richer(const Counts<windows>& counts, std::size_t window);
+
+  Counts<kWindows> sides_{};
+  Counts<1> ends_{};
 };
 
 /// What a frame of counts tells of the place in its middle.
