@@ -17,6 +17,7 @@ constexpr double kLongestStep = 1.5;          // [signatures] of one iteration
 constexpr double kReach = 3.0;                // [signatures] of a target beyond which it gives nothing
 constexpr double kUnrestMemory = 0.85;        // per frame
 constexpr double kMostSurprise = 8.0;         // that one frame counts for
+constexpr int kSettledAge = 6;                // from which a track says how measured places scatter
 
 bool odd(int n) {
   return n >= 1 && n % 2 == 1;
@@ -167,18 +168,18 @@ void CellMeasurement::correct(const ScaledFrame& scaled, const CellGeometry& geo
   const Eigen::Array2d step =
       (sums.first.array() / (sums.intensity * kept)).cwiseMax(-longest).cwiseMin(longest);
   const Eigen::Vector2d measured = cloud.mean + step.matrix();
-  const Eigen::Array2d noise =
-      params_.variance_factor * scaled.correlation * sums.noise / (sums.intensity * kept).square();
+  cloud.stated = params_.variance_factor * scaled.correlation * sums.noise / (sums.intensity * kept).square();
+  const Eigen::Array2d noise = scatter_.factor(cloud.scale) * cloud.stated;
   const Eigen::Matrix<double, 4, 2> PH = cloud.covariance.leftCols<2>() * cloud.view.jacobian.transpose();
   Eigen::Matrix2d S = cloud.view.jacobian * PH.topRows<2>();
   S.diagonal() += noise.matrix();
   const Eigen::Matrix2d S_inverse = S.inverse();
-  const Eigen::Vector2d innovation = measured - cloud.view.cell;
-  const double distance = innovation.dot(S_inverse * innovation);
+  cloud.innovation = measured - cloud.view.cell;
+  const double distance = cloud.innovation.dot(S_inverse * cloud.innovation);
   cloud.surprise = 0.5 * distance;
   cloud.found = distance <= params_.gate;
   const Eigen::Matrix<double, 4, 2> gain = PH * S_inverse;
-  track.state = cloud.predicted + gain * innovation;
+  track.state = cloud.predicted + gain * cloud.innovation;
   track.covariance = cloud.covariance - gain * PH.transpose();
   track.covariance = (0.5 * (track.covariance + track.covariance.transpose())).eval();
   track.error = error_after(cloud.error, gain, cloud.view.jacobian, noise);
@@ -186,15 +187,23 @@ void CellMeasurement::correct(const ScaledFrame& scaled, const CellGeometry& geo
 }
 
 /// What lies outside its gate is not the target: the prediction stands.
-void CellMeasurement::finish(const Cloud& cloud, CellTrack& track) const {
+void CellMeasurement::finish(const Cloud& cloud, CellTrack& track) {
   track.measured = cloud.active && cloud.found;
   if (!cloud.active) return;
   track.intensity += (1.0 - params_.intensity_memory) * (cloud.intensity - track.intensity);
   track.unrest += (1.0 - kUnrestMemory) * (std::min(cloud.surprise, kMostSurprise) - track.unrest);
-  if (cloud.found) return;
+  if (cloud.found) return learn_scatter(cloud, track);
   track.state = cloud.predicted;
   track.covariance = cloud.covariance;
   track.error = cloud.error;
+}
+
+/// From what is a target and keeps its course: what turns, or is none, is off for reasons of its own.
+void CellMeasurement::learn_scatter(const Cloud& cloud, const CellTrack& track) {
+  if (!track.confirmed || track.age < kSettledAge || track.unrest > CellTrack::kRestless) return;
+  const Eigen::Matrix2d predicted =
+      cloud.view.jacobian * cloud.error.topLeftCorner<2, 2>() * cloud.view.jacobian.transpose();
+  scatter_.learn(cloud.scale, cloud.innovation, predicted.diagonal(), cloud.stated);
 }
 
 }  // namespace lookout::tracking

@@ -7,6 +7,7 @@
 #include "tracking/track_before_detect/axis_integrals.hpp"
 #include "tracking/track_before_detect/images/cell_geometry.hpp"
 #include "tracking/track_before_detect/images/cell_target_tracker.hpp"
+#include "tracking/track_before_detect/images/place_scatter.hpp"
 #include "tracking/track_before_detect/images/scale_space.hpp"
 
 namespace lookout::tracking {
@@ -48,6 +49,8 @@ class CellMeasurement {
   /// @param starts cell of the frame at which the search for each track's intensity begins.
   void update(const ScaleSpace& scales, const CellGeometry& geometry, std::span<CellTrack> tracks,
               std::span<const Eigen::Vector2d> starts);
+  /// Forgets how measured places scatter: the scales are others, or the tracks are.
+  void reset() { scatter_.reset(); }
 
  private:
   struct Sums {
@@ -67,6 +70,8 @@ class CellMeasurement {
     Eigen::Vector2d mean;    ///< Present estimate of the cell position.
     double intensity = 0.0;  ///< Present lambda_k.
     double surprise = 1.0;   ///< Squared innovation over its expectation.
+    Eigen::Vector2d innovation;
+    Eigen::Array2d stated;  ///< Variance of the measured place for the noise of the cells alone.
     CellWindow gate;
     AxisIntegrals x, y;
     Sums sums;
@@ -79,9 +84,11 @@ class CellMeasurement {
                       int row) const;
   void find_neighbours(const ScaleSpace& scales, std::size_t k);
   void correct(const ScaledFrame& scaled, const CellGeometry& geometry, Cloud& cloud, CellTrack& track) const;
-  void finish(const Cloud& cloud, CellTrack& track) const;
+  void finish(const Cloud& cloud, CellTrack& track);
+  void learn_scatter(const Cloud& cloud, const CellTrack& track);
 
   CellMeasurementParams params_;
+  PlaceScatter scatter_;
   std::vector<Cloud> clouds_;
   std::vector<std::size_t> neighbours_;
 };

@@ -41,6 +41,7 @@ struct CellTrack {
   double last_detection_time = 0.0;      ///< When its block last ranked in the best twentieth [s].
   double outside_since = 0.0;            ///< [s], while not inside.
 
+  static constexpr double kRestless = 2.2;        ///< Unrest at which it begins to count as agile.
   static constexpr std::size_t kMostScales = 64;  ///< That a frame is looked at in.
   Eigen::Matrix2d systematic =
       Eigen::Matrix2d::Zero();  ///< Error of the position that repeats, beside `error`.

@@ -17,8 +17,7 @@ constexpr double kUnrestProbability = 0.02;  // and below which how much they fl
 constexpr double kStandingExistence =
     0.5;                                // below it there is nothing to stand: noise is left to the background
 constexpr double kSameVelocity = 16.0;  // chi-square at four degrees of freedom
-constexpr double kRestless = 2.2;       // unrest at which the target begins to count as agile
-constexpr double kAgile = 5.0;          // and at which it does so wholly
+constexpr double kAgile = 5.0;          // unrest at which a target counts as agile wholly
 constexpr double kBirthSigmas = 2.0;    // [signatures] of a new track's position before it is measured
 constexpr double kLosing = 0.1;         // share of a new track's existence at which it is given up
 
@@ -56,6 +55,7 @@ const std::vector<CellTrack>& CellTracker::update(const IntensityFrame& frame, c
 void CellTracker::reset() {
   tracks_.clear();
   standing_.reset();
+  measurement_.reset();
   started_ = false;
 }
 
@@ -70,7 +70,8 @@ void CellTracker::predict(double time) {
   const double agility = std::log(params_.motion.agile_density / params_.motion.steady_density);
   const double survival = std::exp(-step / params_.existence.lifetime);
   for (CellTrack& track : tracks_) {
-    const double agile = std::clamp((track.unrest - kRestless) / (kAgile - kRestless), 0.0, 1.0);
+    const double agile =
+        std::clamp((track.unrest - CellTrack::kRestless) / (kAgile - CellTrack::kRestless), 0.0, 1.0);
     const double density = params_.motion.steady_density * std::exp(agile * agility);
     track.state = (F * track.state).eval();
     track.covariance = (F * track.covariance * F.transpose() + density * noise).eval();
@@ -92,12 +93,17 @@ void CellTracker::look(const IntensityFrame& frame, const CellGeometry& geometry
     windows_.push_back(window_about(geometry.observe(track.state.head<2>()).cell, kReachSigmas * sigma));
   }
   scales_.apply(frame, geometry.cell_size(), windows_);
-  if (scales_.changed())
-    for (CellTrack& track : tracks_) {
-      track.scale = scales_.nearest(track.signature.cwiseQuotient(geometry.cell_size()));
-      track.scale_score.fill(0.0f);
-    }
+  if (scales_.changed()) change_scales(geometry);
   peaks_.find(scales_);
+}
+
+/// What was learnt by scale is of the scales before.
+void CellTracker::change_scales(const CellGeometry& geometry) {
+  measurement_.reset();
+  for (CellTrack& track : tracks_) {
+    track.scale = scales_.nearest(track.signature.cwiseQuotient(geometry.cell_size()));
+    track.scale_score.fill(0.0f);
+  }
 }
 
 /// Where each track's intensity is looked for, and what the frame says of it. Each branch is a track.

@@ -34,6 +34,7 @@ class CellTracker : public CellTargetTracker {
  private:
   void predict(double time);
   void look(const IntensityFrame& frame, const CellGeometry& geometry);
+  void change_scales(const CellGeometry& geometry);
   void choose_starts(const CellGeometry& geometry);
   double likelihood_ratio(const CellGeometry& geometry, const CellTrack& track,
                           const Eigen::Vector2d& start) const;

@@ -21,6 +21,7 @@ constexpr std::size_t kSample = 4096;          // values that a median is taken 
 constexpr double kRidgeSigmas = 4.0;           // where a ridge is looked for, either side of a peak
 constexpr double kApartSigmas = 4.0;           // candidates nearer than this are one
 constexpr double kUnremarkable = -2.0;         // ln of a probability above which no ridge is looked for
+constexpr double kCommonShare = 0.3987;        // s of the noise above its median ridge: (1 - s^2)^4 = 1/2
 constexpr double kOutside = std::numeric_limits<double>::infinity();  // in place of an amplitude
 constexpr double kMostCorrelation = 30.0;
 constexpr double kLeastDisplayed = 1e-6;
@@ -38,6 +39,15 @@ double order_statistic(std::vector<double>& sample, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(sample.size() - 1));
   std::nth_element(sample.begin(), sample.begin() + at, sample.end());
   return sample[static_cast<std::size_t>(at)];
+}
+
+double ascending_quantile(const std::vector<double>& ascending, double share) {
+  return ascending[static_cast<std::size_t>(share * static_cast<double>(ascending.size() - 1))];
+}
+
+/// A filtered amplitude on a ridge of `below`, as one among cells of the usual level.
+double above(const MatchedFilter& filter, double value, double below) {
+  return (value - below) / (1.0 + below / (filter.gain() * kRayleighMean));
 }
 
 /// Distance between the quartiles; of values most of which are equal as far as their mean deviation tells.
@@ -210,6 +220,7 @@ void ScaleSpace::tile(const std::vector<CellWindow>& left_out) {
     take_sample(scaled.filter.filtered(), scaled.sample);
     std::sort(scaled.sample.begin(), scaled.sample.end());
     scaled.cells.learn(scaled.sample);
+    scaled.common = std::max(0.0, ascending_quantile(scaled.sample, 1.0 - kCommonShare));
     const double deviation = spread_of(scaled.sample) / kNormalQuartiles / kRayleighDeviation;
     scaled.correlation = std::clamp(deviation * deviation, 1.0, kMostCorrelation);
   }
@@ -279,15 +290,17 @@ void ScaleSpace::find(double expected, std::size_t most, std::vector<Candidate>&
 
 /// A peak on a ridge, whichever way it runs, as one among cells of the usual level.
 double ScaleSpace::above_ridge(const MatchedFilter& filter, const FramePeak& peak) const {
-  const double below = ridge(filter, peak.column, peak.row);
-  return (peak.value - below) / (1.0 + below / (filter.gain() * kRayleighMean));
+  return above(filter, peak.value, ridge(filter, peak.column, peak.row));
 }
 
+/// The ridge is the best of four directions, above 0 by chance too: what noise has there is none, else a
+/// faint target is judged against noise.
 double ScaleSpace::cell_log_probability(const ScaledFrame& scaled, int column, int row) const {
   const double value = scaled.filter.at(column, row);
   const double in_the_open = scaled.cells.log_probability(value);
   if (in_the_open > kUnremarkable) return in_the_open;
-  return scaled.cells.log_probability(above_ridge(scaled.filter, {column, row, value}));
+  const double below = std::max(0.0, ridge(scaled.filter, column, row) - scaled.common);
+  return scaled.cells.log_probability(above(scaled.filter, value, below));
 }
 
 /// Filtered amplitude that two places on opposite sides of the peak have in common, the largest of four

@@ -40,6 +40,7 @@ struct ScaledFrame {
   TailLaw tail;                ///< Of the filter's blocks.
   TailLaw cells;               ///< Of the filter's single cells, a sample of them.
   std::vector<double> sample;  ///< That sample, ascending.
+  double common = 0.0;         ///< Median of the ridge that noise alone makes, >= 0.
   /// By cell, deviation of what the filter gave there over the frames, over that of all cells; >= 1.
   /// Structure that fluctuates is brought to the level of the rest.
   std::vector<float> unrest;
@@ -89,7 +90,7 @@ class ScaleSpace {
   /// Whether the last frame changed which scales there are.
   bool changed() const { return changed_; }
   /// ln of the probability that a cell of a scale is as bright without a target: on a ridge, whichever way it
-  /// runs, as one among cells of the ridge's own level.
+  /// runs, as one among cells of the ridge's own level. A ridge is what lies above that of noise alone.
   double cell_log_probability(const ScaledFrame& scaled, int column, int row) const;
   /// Standard deviation of the signature of a scale [cells of the frame].
   Eigen::Vector2d signature(std::size_t scale) const;

@@ -90,6 +90,28 @@ TEST(ScaleSpace, ACellOfARidgeIsNoneOfATarget) {
   EXPECT_GT(middle_of(with_ridge(blob)), middle_of(blob));
 }
 
+/// Share of the cells among the best e^-2 that are judged as in the open.
+double share_in_the_open(const IntensityFrame& frame) {
+  ScaleSpace scales({}, kThreshold);
+  scales.apply(frame, kCell, {});
+  const ScaledFrame& finest = scales.scales()[0];
+  int bright = 0, open = 0;
+  for (int row = 8; row < frame.rows - 8; ++row)
+    for (int column = 8; column < frame.columns - 8; ++column) {
+      const double alone = finest.cells.log_probability(finest.filter.at(column, row));
+      if (alone > -2.0) continue;
+      ++bright;
+      open += scales.cell_log_probability(finest, column, row) == alone ? 1 : 0;
+    }
+  return static_cast<double>(open) / bright;
+}
+
+// Of four pairs of opposite places one has by chance more in common than the median of that in one half of
+// the cells. Judged against all that is above 0, (1 - 1/4)^4 = .32 of them would be left in the open.
+TEST(ScaleSpace, WhatNoiseHasEitherSideIsNoRidge) {
+  EXPECT_NEAR(share_in_the_open(frame_with_blob({1.1, 0.75}, 0.0, 1005)), 0.5, 0.06);
+}
+
 // A column of the frame, as a wall that leaves the fan: its last cells have a neighbour on one side alone.
 TEST(ScaleSpace, ARidgeEndsAtTheBorderOfTheFrame) {
   IntensityFrame wall = frame_with_blob({1.1, 0.75}, 0.0, 1004);
