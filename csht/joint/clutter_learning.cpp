@@ -117,7 +117,7 @@ bool ClutterLearning::mark(std::span<const TargetTrack> tracks, const Condition&
 void ClutterLearning::discount_movers(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
   const std::int64_t now = scans.newest().utime;
-  if (!mark(tracks, [&](const TargetTrack& track) { return surely_moves(track, now); })) return;
+  if (!mark(tracks, [&](const TargetTrack& track) { return is_no_clutter(track, now); })) return;
   for (int age = 0; age < scans.size(); ++age) {
     if (scans.at_age(age).sensor != scans.newest().sensor) continue;
     own_returns(age, likelihood);
@@ -137,12 +137,11 @@ void ClutterLearning::own_returns(int age, const ScanLikelihood& likelihood) {
   }
 }
 
-bool ClutterLearning::surely_moves(const TargetTrack& track, std::int64_t now) const {
+bool ClutterLearning::is_no_clutter(const TargetTrack& track, std::int64_t now) const {
   if (track.existence() < params_.sure_existence) return false;
   if (core::seconds(now - track.first_utime) < sure_age_s_) return false;
-  const double speed = track.moments.mean.segment<2>(2).norm();
   const double sigma = std::sqrt(0.5 * (track.moments.covariance(2, 2) + track.moments.covariance(3, 3)));
-  return sigma < params_.sure_sigma * max_speed_ && speed > params_.least_speed * max_speed_ + 2.0 * sigma;
+  return sigma < params_.sure_sigma * max_speed_ && surely_moves(track.moments, params_.mover, max_speed_);
 }
 
 void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,

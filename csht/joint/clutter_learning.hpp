@@ -57,7 +57,7 @@ class ClutterLearning {
   bool mark(std::span<const TargetTrack> tracks, const Condition& holds);
   void discount_movers(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
   void own_returns(int age, const ScanLikelihood& likelihood);
-  bool surely_moves(const TargetTrack& track, std::int64_t now) const;
+  bool is_no_clutter(const TargetTrack& track, std::int64_t now) const;
   void judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
                   const std::function<bool()>& stopped);
   void price_anew(ScanLikelihood& likelihood);

@@ -17,7 +17,7 @@ void resample(const TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector
 }
 
 SensorLearning::SensorLearning(const SensorLearningParams& params, const core::SonarParams& sonar)
-    : params_(params), least_speed_(params.least_speed * sonar.max_speed), figures_({}, sonar) {}
+    : params_(params), max_speed_(sonar.max_speed), figures_({}, sonar) {}
 
 void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
@@ -38,7 +38,8 @@ void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& 
 }
 
 bool SensorLearning::moves(const TargetTrack& track) const {
-  return track.moments.mean.segment<2>(2).norm() > least_speed_;
+  return track.moments.mean.segment<2>(2).norm() > params_.least_speed * max_speed_ ||
+         surely_moves(track.moments, params_.mover, max_speed_);
 }
 
 bool SensorLearning::changed(const SensorFigures& before) const {

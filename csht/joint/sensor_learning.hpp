@@ -32,7 +32,7 @@ class SensorLearning {
   bool changed(const SensorFigures& before) const;
 
   SensorLearningParams params_;
-  double least_speed_;  ///< [m/s].
+  double max_speed_;  ///< Of targets [m/s].
   SensorFigureEstimator figures_;
   std::vector<std::vector<Eigen::Vector4d>> samples_;
   std::vector<KnownTarget> targets_;

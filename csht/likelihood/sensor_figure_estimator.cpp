@@ -283,7 +283,7 @@ std::optional<SensorFigureEstimator::RangeMisses::Line> SensorFigureEstimator::R
   const double slope = (n * products - sum * misses) / determinant;
   const double mean = misses / n;
   if (slope < doubt_sigmas * std::sqrt(mean * (1.0 - mean) * n / determinant)) return std::nullopt;
-  const double start = std::max(kLeastMiss, (misses - slope * sum) / n);
+  const double start = std::clamp((misses - slope * sum) / n, kLeastMiss, kMostMiss);
   return Line{start, std::min(slope, kMostMiss - start)};
 }
 

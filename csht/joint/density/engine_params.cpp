@@ -78,6 +78,7 @@ void validate(const SensorLearningParams& p) {
   core::require(p.least_existence >= 0.0 && p.least_existence <= 1.0, "least_existence must be in [0, 1]",
                 p.least_existence);
   core::require(p.least_speed >= 0.0, "least_speed must be >= 0", p.least_speed);
+  validate(p.mover);
 }
 
 void validate(const ClutterLearningParams& p) {
@@ -88,7 +89,7 @@ void validate(const ClutterLearningParams& p) {
   core::require(p.sure_existence > 0.0 && p.sure_existence < 1.0, "sure_existence must be in (0, 1)",
                 p.sure_existence);
   core::require(p.sure_sigma > 0.0, "sure_sigma must be > 0", p.sure_sigma);
-  core::require(p.least_speed > 0.0, "least_speed must be > 0", p.least_speed);
+  validate(p.mover);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "csht/joint/density/mover.hpp"
 #include "csht/joint/density/target_prior.hpp"
 #include "csht/likelihood/clutter_map.hpp"
 #include "csht/likelihood/sensor_likelihood.hpp"
@@ -90,9 +91,10 @@ struct SensorLearningParams {
   double least_change = 0.01;    ///< Relative change of a sensor figure that is worth a rewrite, > 0.
   int target_samples = 32;       ///< Trajectories that stand for a target, >= 1.
   double least_existence = 0.5;  ///< Of a target whose beams are its own, in [0, 1].
-  /// Its least speed [max speed], >= 0: what stands is heard more often than what moves, and would teach too
-  /// few misses.
+  /// The speed from which it teaches [max speed], >= 0: what stands is heard more often than what moves, and
+  /// would teach too few misses.
   double least_speed = 0.1;
+  MoverParams mover;  ///< A slower one that surely moves teaches, too.
 };
 
 /// How the density of false returns is learnt, and what tracks have to do with it.
@@ -104,7 +106,7 @@ struct ClutterLearningParams {
   double sure_existence = 0.9;    ///< A track with so much existence, in (0, 1),
   double sure_age = 10.0;         ///< that lives for so long [range sigma / max speed], >= 0,
   double sure_sigma = 1.0 / 6.0;  ///< whose velocity is known so well [max speed], > 0,
-  double least_speed = 0.1;       ///< and that is surely faster than this [max speed], > 0, is no clutter.
+  MoverParams mover;              ///< and that surely moves is no clutter.
 };
 
 /// The joint engine: the sensor's likelihood, the prior, and how densities are drawn, claimed and begun.

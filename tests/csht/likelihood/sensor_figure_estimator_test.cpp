@@ -193,6 +193,14 @@ TEST(SensorFigures, WithoutSuchALossNoneIsBelieved) {
   EXPECT_EQ(figures.tail_share, 0.0);
 }
 
+// Behind what hides it a target is never heard, near and far: P_M was learnt as 1, which no likelihood takes.
+TEST(SensorFigures, AreInRangeWhereEachScanMisses) {
+  const auto figures = taught([](int k) { return k % 2 == 0 ? 30.0 : 100.0; },
+                              [](double) -> std::optional<double> { return std::nullopt; }, 400);
+  EXPECT_NO_THROW(validate(figures));
+  EXPECT_GT(figures.miss_probability, 0.95);
+}
+
 // A fifth of the returns have three times the error.
 TEST(SensorFigures, LearnsThatErrorsHaveTails) {
   core::Random random(73);

@@ -76,12 +76,12 @@ sonar_sim::Scene scene_of(const Cell& cell, std::uint64_t seed, int run) {
 }
 
 /// What the tracker is told: geometry, accuracy, period and fastest target, and the probabilities or not.
+/// That a sensor has no beams is said by its clutter, so that this is told too.
 core::SonarParams told(const Cell& cell, const sonar_sim::Scene& scene) {
   core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms.front());
   if (cell.parameters.text("sensor_figures") == "known") return sonar;
   sonar.miss_probability.reset();
   sonar.false_alarm_probability.reset();
-  sonar.clutter_per_scan.reset();
   return sonar;
 }
 
