@@ -19,12 +19,13 @@ constexpr double kLater = 25.0;    // s: and once more from then on, as *_later
 constexpr int kJointRuns = 30;
 constexpr int kRivalRuns = 5;
 
-Cell make_cell(const char* condition, const std::string& method, double probability, const char* figures) {
+Cell make_cell(const SeaSetting& setting, const std::string& method, const char* figures) {
   Cell cell;
   cell.method = method;
-  cell.parameters = {{"condition", std::string(condition)},
-                     {"p_false_alarm", probability},
-                     {"p_miss", probability},
+  cell.parameters = {{"condition", setting.condition},
+                     {"targets", setting.targets},
+                     {"p_false_alarm", setting.p_false_alarm},
+                     {"p_miss", setting.p_miss},
                      {"sensor_figures", std::string(figures)}};
   cell.max_runs = method == "joint" ? kJointRuns : kRivalRuns;
   return cell;
@@ -73,16 +74,18 @@ class Sea : public Experiment {
   std::vector<Cell> cells() const override {
     std::vector<Cell> cells;
     for (const char* figures : kFigures)
-      for (const double probability : kProbabilities)
-        for (const char* condition : sea_conditions())
-          for (const auto& method : tracking::tracker_names())
-            cells.push_back(make_cell(condition, method, probability, figures));
+      for (const char* targets : sea_targets())
+        for (const double probability : kProbabilities)
+          for (const char* condition : sea_conditions())
+            for (const auto& method : tracking::tracker_names())
+              cells.push_back(make_cell({condition, targets, probability, probability}, method, figures));
     return cells;
   }
 
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
-    const auto scene = sea_scene(cell.parameters.text("condition"), cell.parameters.number("p_false_alarm"),
-                                 cell.parameters.number("p_miss"), seed, run);
+    const auto scene = sea_scene({cell.parameters.text("condition"), cell.parameters.text("targets"),
+                                  cell.parameters.number("p_false_alarm"), cell.parameters.number("p_miss")},
+                                 seed, run);
     const auto scans = simulate(scene, seed, run);
     tracking::ChainParams params;
     params.tracker.name = cell.method;

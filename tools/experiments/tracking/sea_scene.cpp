@@ -13,38 +13,54 @@ namespace {
 constexpr std::array kConditions{"uniform",    "spill",        "patch",        "bottom", "rocks",
                                  "wall",       "quay",         "dropout",      "burst",  "heavy_tails",
                                  "range_loss", "heading_bias", "heading_walk", "all"};
+constexpr std::array kTargets{"staying", "near"};
 constexpr std::array kAppear{0.0, 0.0, 10.0, 20.0};   // s
 constexpr double kNearest = 40.0, kFarthest = 150.0;  // m
+constexpr double kNear = 80.0;                        // m: the farthest that near targets come
 constexpr double kSlowest = 0.8, kFastest = 1.3;      // m/s
 constexpr double kSigma = 3.0;                        // m, of the echoes and as told
 /// Keeps the draws of targets apart from the trackers' seeds.
 constexpr std::uint64_t kTargetDraws = std::uint64_t{1} << 40;
 
-bool in_view(const sonar_sim::Scene& scene, const sonar_sim::TargetPlan& target, double time) {
+core::Pose2 sonar_at(const sonar_sim::Scene& scene, double time) {
   const auto& platform = scene.platforms.front();
-  const core::SonarParams& params = platform.sonar.params;
   const sonar_sim::VehicleMotion motion(platform.vehicle);
-  const auto T_earth_sonar = core::compose(motion.at(time).T_earth_body, params.T_body_sonar);
-  const auto seen = core::observe(params, T_earth_sonar, target_state(target, time).position);
+  return core::compose(motion.at(time).T_earth_body, platform.sonar.params.T_body_sonar);
+}
+
+bool in_view(const sonar_sim::Scene& scene, const sonar_sim::TargetPlan& target, double time) {
+  const auto seen = core::observe(scene.platforms.front().sonar.params, sonar_at(scene, time),
+                                  target_state(target, time).position);
   return seen.visible() && seen.range >= kNearest && seen.range <= kFarthest;
 }
 
-sonar_sim::TargetPlan draw_target(double half_side, core::Random& random) {
-  sonar_sim::TargetPlan target;
-  target.position = {random.uniform(-half_side, half_side), random.uniform(-half_side, half_side)};
+Eigen::Vector2d draw_velocity(core::Random& random) {
   const double speed = random.uniform(kSlowest, kFastest);
-  target.velocity = core::from_polar(speed, random.uniform(-std::numbers::pi, std::numbers::pi));
-  return target;
+  return core::from_polar(speed, random.uniform(-std::numbers::pi, std::numbers::pi));
 }
 
-sonar_sim::TargetPlan draw_target_in_view(const sonar_sim::Scene& scene, double appear,
-                                          core::Random& random) {
+sonar_sim::TargetPlan draw_staying(const sonar_sim::Scene& scene, double appear, core::Random& random) {
   while (true) {
-    sonar_sim::TargetPlan target = draw_target(2.0 * kFarthest, random);
+    sonar_sim::TargetPlan target;
+    constexpr double kHalfSide = 2.0 * kFarthest;
+    target.position = {random.uniform(-kHalfSide, kHalfSide), random.uniform(-kHalfSide, kHalfSide)};
+    target.velocity = draw_velocity(random);
     target.appear = appear;
     if (in_view(scene, target, appear) && in_view(scene, target, 0.5 * (appear + scene.duration)))
       return target;
   }
+}
+
+sonar_sim::TargetPlan draw_near(const sonar_sim::Scene& scene, double appear, core::Random& random) {
+  const core::SonarParams& params = scene.platforms.front().sonar.params;
+  const double range = random.uniform(kNearest, kNear);
+  const double bearing = random.uniform(params.left_edge(), params.right_edge());
+  sonar_sim::TargetPlan target;
+  target.appear = appear;
+  target.velocity = draw_velocity(random);
+  const Eigen::Vector2d first = core::transform(sonar_at(scene, appear), core::from_polar(range, bearing));
+  target.position = first - appear * target.velocity;  // At time 0, before it appears.
+  return target;
 }
 
 }  // namespace
@@ -53,13 +69,18 @@ std::span<const char* const> sea_conditions() {
   return kConditions;
 }
 
-sonar_sim::Scene sea_scene(const std::string& condition, double p_false_alarm, double p_miss,
-                           std::uint64_t seed, int run) {
-  auto scene = load_variant("sea_" + condition + ".yaml", {p_false_alarm, p_miss, kSigma});
+std::span<const char* const> sea_targets() {
+  return kTargets;
+}
+
+sonar_sim::Scene sea_scene(const SeaSetting& setting, std::uint64_t seed, int run) {
+  auto scene =
+      load_variant("sea_" + setting.condition + ".yaml", {setting.p_false_alarm, setting.p_miss, kSigma});
   core::Random random(seed, core::RandomStream::experiment, kTargetDraws | static_cast<std::uint64_t>(run));
+  const auto draw = setting.targets == "near" ? draw_near : draw_staying;
   scene.targets.clear();
   for (const double appear : kAppear) {
-    scene.targets.push_back(draw_target_in_view(scene, appear, random));
+    scene.targets.push_back(draw(scene, appear, random));
     scene.targets.back().id = static_cast<std::int32_t>(scene.targets.size());
   }
   return scene;

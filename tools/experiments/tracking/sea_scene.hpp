@@ -11,10 +11,19 @@ namespace lookout::tools {
 /// The conditions of a real sea; each is the file tools/scenarios/sea_CONDITION.yaml. docs/sea.md
 std::span<const char* const> sea_conditions();
 
-/// The scene of a condition with the given probabilities and four targets drawn for the run: 0.8 to 1.3 m/s,
-/// inside the sector at 40 to 150 m when they come (two at the start, one at 10 s, one at 20 s) and half way
-/// to the end. All conditions of a run have the same targets.
-sonar_sim::Scene sea_scene(const std::string& condition, double p_false_alarm, double p_miss,
-                           std::uint64_t seed, int run);
+/// Which sea is drawn.
+struct SeaSetting {
+  std::string condition;                     ///< One of `sea_conditions`.
+  std::string targets = "staying";           ///< One of `sea_targets`.
+  double p_false_alarm = 0.1, p_miss = 0.1;  ///< A beam, told to the simulator.
+};
+
+/// How targets are drawn: `staying`, evenly over the sector at 40 to 150 m when they come, and there half way
+/// to the end too; or `near`, evenly in range from 40 to 80 m when they come, wherever they go. docs/sea.md
+std::span<const char* const> sea_targets();
+
+/// The scene of a setting with four targets drawn for the run: 0.8 to 1.3 m/s on any course, two in view at
+/// the start, one from 10 s on and one from 20 s on. All conditions of a run have the same targets.
+sonar_sim::Scene sea_scene(const SeaSetting& setting, std::uint64_t seed, int run);
 
 }  // namespace lookout::tools
