@@ -220,10 +220,11 @@ ClutterMap::TwoExcesses ClutterMap::frame_excess(const ScanTable& scan, const Se
   memory_.in_sonar().visit(
       place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
         const LookTime& time = time_of(p);
-        if (time.own) return;
-        const double across = static_cast<double>(p.x) - place.beam, along = static_cast<double>(p.y) - y;
-        all.take(across, along, static_cast<double>(p.weight), time.before);
-        free.take(across, along, static_cast<double>(p.weight * p.free), time.before);
+        const FrameCounts::Spot spot =
+            FrameCounts::spot_of(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y);
+        if (time.own || !spot.counts) return;
+        all.take(spot, static_cast<double>(p.weight), time.before);
+        free.take(spot, static_cast<double>(p.weight * p.free), time.before);
       });
   const double per_area = num_others_ * rate / scan.num_beams * range_reach_ / scan.max_range;
   const FrameCounts::Border border =

@@ -22,21 +22,6 @@ FrameCounts::Border FrameCounts::border_at(const ScanTable& scan, double beam, d
   return {beam - kToSide<-half, beam + kToSide> half, reaches - kToEnd<0.0, reaches + kToEnd> last_reach};
 }
 
-void FrameCounts::take(double across, double along, double weight, bool before) {
-  const double a = std::abs(across), b = std::abs(along);
-  const std::size_t time = before ? 0 : 1;
-  if (a > kBeams || b > kReaches) return;
-  if (a <= kMiddleBeams) {
-    if (b > kMiddleReaches) ends_[time][along < 0.0 ? 0 : 1][0] += weight;
-    return;
-  }
-  Pair<kWindows>::value_type& windows = sides_[time][across < 0.0 ? 0 : 1];
-  for (std::size_t k = 0; k < kWindows; ++k) {
-    const double middle = static_cast<double>(k) - static_cast<double>(kLevel);
-    if (std::abs(along - middle * kMiddleReaches) <= kMiddleReaches) windows[k] += weight;
-  }
-}
-
 double FrameCounts::beside(const Border& border) const {
   return sum(sides_, kLevel, kLevel, {border.left, border.right});
 }

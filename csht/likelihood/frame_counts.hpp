@@ -30,10 +30,35 @@ class FrameCounts {
   /// @param reaches from the sonar, @param last_reach of the fan [reaches].
   static Border border_at(const ScanTable& scan, double beam, double reaches, double last_reach);
 
-  /// Takes a return in that lies `across` beams to starboard of the place and `along` reaches beyond it; one
-  /// in the middle or outside the frame does not count. @param before it was heard before the scan at hand,
-  /// else after.
-  void take(double across, double along, double weight, bool before);
+  /// Where a return lies in the frame.
+  struct Spot {
+    bool counts = false;              ///< Neither in the middle nor outside.
+    bool beside = false;              ///< On a side; else at an end.
+    std::size_t second = 0;           ///< 0: left or nearer, 1: right or farther.
+    std::array<double, 3> windows{};  ///< Of a side: 1 for each window that holds it, else 0.
+  };
+  /// @param across beams to starboard of the place. @param along reaches beyond it.
+  static Spot spot_of(double across, double along) {
+    const double a = std::abs(across), b = std::abs(along);
+    if (a > kBeams || b > kReaches) return {};
+    if (a <= kMiddleBeams) return {b > kMiddleReaches, false, along < 0.0 ? 0U : 1U, {}};
+    const auto holds = [](bool it_does) { return it_does ? 1.0 : 0.0; };
+    return {true,
+            true,
+            across < 0.0 ? 0U : 1U,
+            {holds(along <= 0.0), holds(b <= kMiddleReaches), holds(along >= 0.0)}};
+  }
+
+  /// Takes a return in, at a spot that counts. @param before it was heard before the scan at hand, else
+  /// after.
+  void take(const Spot& spot, double weight, bool before) {
+    const std::size_t time = before ? 0 : 1;
+    if (!spot.beside) {
+      ends_[time][spot.second][0] += weight;
+      return;
+    }
+    for (std::size_t k = 0; k < kWindows; ++k) sides_[time][spot.second][k] += weight * spot.windows[k];
+  }
 
   /// Returns that clutter alone brings to both sides, and to both ends. A moving target's trail lies on one
   /// side of the place in the scans before, and on the other in those after: where two sides differ by more

@@ -10,18 +10,23 @@ namespace {
 
 constexpr FrameCounts::Border kInside{};
 
+void take(FrameCounts& frame, double across, double along, double weight, bool before) {
+  const FrameCounts::Spot spot = FrameCounts::spot_of(across, along);
+  if (spot.counts) frame.take(spot, weight, before);
+}
+
 // One return in each unit of area of the frame's sides: as many as the area has.
 TEST(FrameCounts, EvenClutterCountsByItsArea) {
   FrameCounts frame;
   for (double across = -5.5; across < 6.0; across += 1.0)
-    for (double along = -1.75; along < 2.0; along += 0.5) frame.take(across, along, 0.5, true);
+    for (double along = -1.75; along < 2.0; along += 0.5) take(frame, across, along, 0.5, true);
   EXPECT_NEAR(frame.beside(kInside), FrameCounts::kBesideArea, 1e-9);
   EXPECT_NEAR(frame.around(kInside), FrameCounts::kAroundArea, 1e-9);
 }
 
 TEST(FrameCounts, TheMiddleDoesNotCount) {
   FrameCounts frame;
-  for (int k = 0; k < 100; ++k) frame.take(0.3, -0.4, 1.0, k % 2 == 0);
+  for (int k = 0; k < 100; ++k) take(frame, 0.3, -0.4, 1.0, k % 2 == 0);
   EXPECT_EQ(frame.beside(kInside), 0.0);
   EXPECT_EQ(frame.around(kInside), 0.0);
 }
@@ -30,8 +35,8 @@ TEST(FrameCounts, TheMiddleDoesNotCount) {
 TEST(FrameCounts, ATrailDoesNotCount) {
   FrameCounts frame;
   for (int k = 0; k < 36; ++k) {
-    frame.take(-4.0, 0.0, 1.0, true);
-    frame.take(4.0, 0.0, 1.0, false);
+    take(frame, -4.0, 0.0, 1.0, true);
+    take(frame, 4.0, 0.0, 1.0, false);
   }
   EXPECT_NEAR(frame.beside(kInside), 2.0 * 6.0, 1e-9);
 }
@@ -41,8 +46,8 @@ TEST(FrameCounts, ATrailDoesNotCount) {
 TEST(FrameCounts, WhatSlantsCountsInTheWindowsWhereItIs) {
   FrameCounts frame;
   for (int k = 0; k < 36; ++k) {
-    frame.take(-4.0, 1.5, 1.0, k % 2 == 0);
-    frame.take(4.0, -1.5, 1.0, k % 2 == 0);
+    take(frame, -4.0, 1.5, 1.0, k % 2 == 0);
+    take(frame, 4.0, -1.5, 1.0, k % 2 == 0);
   }
   EXPECT_EQ(frame.beside(kInside), 0.0);
   EXPECT_NEAR(frame.slanting(kInside), 72.0, 1e-9);
@@ -51,7 +56,7 @@ TEST(FrameCounts, WhatSlantsCountsInTheWindowsWhereItIs) {
 TEST(FrameCounts, WhatBendsCountsInTheWindowsWhereItIs) {
   FrameCounts frame;
   for (int k = 0; k < 36; ++k)
-    for (const double across : {-4.0, 4.0}) frame.take(across, 1.5, 1.0, k % 2 == 0);
+    for (const double across : {-4.0, 4.0}) take(frame, across, 1.5, 1.0, k % 2 == 0);
   EXPECT_EQ(frame.beside(kInside), 0.0);
   EXPECT_NEAR(frame.slanting(kInside), 72.0, 1e-9);
   EXPECT_NEAR(frame.slanting({.left = true}), 72.0, 1e-9);
@@ -61,8 +66,8 @@ TEST(FrameCounts, WhatBendsCountsInTheWindowsWhereItIs) {
 TEST(FrameCounts, ATrailDoesNotCountAsSlanting) {
   FrameCounts frame;
   for (int k = 0; k < 36; ++k) {
-    frame.take(-4.0, -1.5, 1.0, true);
-    frame.take(4.0, 1.5, 1.0, false);
+    take(frame, -4.0, -1.5, 1.0, true);
+    take(frame, 4.0, 1.5, 1.0, false);
   }
   EXPECT_NEAR(frame.slanting(kInside), 2.0 * 6.0, 1e-9);
 }
@@ -70,15 +75,15 @@ TEST(FrameCounts, ATrailDoesNotCountAsSlanting) {
 // An end has half of the area of a side.
 TEST(FrameCounts, TheRichestSideCountsByItsArea) {
   FrameCounts frame;
-  for (int k = 0; k < 36; ++k) frame.take(-4.0, 0.0, 1.0, k % 2 == 0);
+  for (int k = 0; k < 36; ++k) take(frame, -4.0, 0.0, 1.0, k % 2 == 0);
   EXPECT_NEAR(frame.richest(), 36.0, 1e-9);
-  for (int k = 0; k < 20; ++k) frame.take(0.0, 1.5, 1.0, true);
+  for (int k = 0; k < 20; ++k) take(frame, 0.0, 1.5, 1.0, true);
   EXPECT_NEAR(frame.richest(), 20.0 * FrameCounts::kBesideArea / FrameCounts::kAroundArea, 1e-9);
 }
 
 TEST(FrameCounts, AtTheBorderOneSideStandsForBoth) {
   FrameCounts frame;
-  for (int k = 0; k < 36; ++k) frame.take(-4.0, 0.0, 1.0, true);
+  for (int k = 0; k < 36; ++k) take(frame, -4.0, 0.0, 1.0, true);
   EXPECT_NEAR(frame.beside({.right = true}), 72.0, 1e-9);
   EXPECT_NEAR(frame.beside(kInside), 6.0, 1e-9);
 }
@@ -86,7 +91,7 @@ TEST(FrameCounts, AtTheBorderOneSideStandsForBoth) {
 // Left alone has ten times what the background brings: a corner, where the place counts, up to that side.
 TEST(FrameExcess, AtACornerThePlaceCountsUpToItsRichestSide) {
   FrameCounts frame;
-  for (int k = 0; k < 80; ++k) frame.take(-4.0, 0.0, 1.0, k % 2 == 0);
+  for (int k = 0; k < 80; ++k) take(frame, -4.0, 0.0, 1.0, k % 2 == 0);
   const double per_area = 8.0 / (0.5 * FrameCounts::kBesideArea);
   const FrameExcess found(frame, kInside, per_area, {.share = 0.2, .shape = 2.0, .mean = 1.0});
   EXPECT_TRUE(found.is_corner());
@@ -99,8 +104,8 @@ TEST(FrameExcess, AtACornerThePlaceCountsUpToItsRichestSide) {
 TEST(FrameExcess, WhatSlantsIsDense) {
   FrameCounts frame;
   for (int k = 0; k < 80; ++k) {
-    frame.take(-4.0, -1.5, 1.0, k % 2 == 0);
-    frame.take(4.0, 1.5, 1.0, k % 2 == 0);
+    take(frame, -4.0, -1.5, 1.0, k % 2 == 0);
+    take(frame, 4.0, 1.5, 1.0, k % 2 == 0);
   }
   const double per_area = 8.0 / (0.5 * FrameCounts::kBesideArea);
   const FrameExcess found(frame, kInside, per_area, {.share = 0.2, .shape = 2.0, .mean = 1.0});

@@ -19,7 +19,7 @@ TEST(Sea, HasEveryConditionUnderEveryKnowledge) {
   std::size_t unknown_joint = 0;
   for (const Cell& cell : make_sea()->cells())
     unknown_joint += cell.method == "joint" && cell.parameters.text("sensor_figures") == "unknown" ? 1 : 0;
-  EXPECT_EQ(unknown_joint, 2 * 2 * sea_conditions().size());  // staying and near, at .1 and at .3
+  EXPECT_EQ(unknown_joint, 2 * sea_targets().size() * sea_conditions().size());  // at .1 and at .3
 }
 
 TEST(Sea, ARunOfTheNearestNeighbourHasAllFigures) {
