@@ -64,10 +64,11 @@ FrameExcess::FrameExcess(const FrameCounts& frame, const FrameCounts::Border& bo
                          ExcessPrior prior)
     : both_(denser(excess(frame.beside(border), per_area * FrameCounts::kBesideArea, prior),
                    excess(frame.around(border), per_area * FrameCounts::kAroundArea, prior))) {
-  prior.share *= kSlanting;
-  both_ = denser(both_, excess(frame.slanting(border), per_area * FrameCounts::kBesideArea, prior));
-  prior.share *= kCorners / kSlanting;
-  edge_ = excess(frame.richest(), 0.5 * per_area * FrameCounts::kBesideArea, prior);
+  ExcessPrior slanting = prior, corner = prior;
+  slanting.share *= kSlanting;
+  corner.share *= kCorners;
+  both_ = denser(both_, excess(frame.slanting(border), per_area * FrameCounts::kBesideArea, slanting));
+  edge_ = excess(frame.richest(), 0.5 * per_area * FrameCounts::kBesideArea, corner);
 }
 
 const Excess& FrameExcess::with_corner(const Excess& spot) const {

@@ -10,14 +10,16 @@
 namespace lookout::csht {
 
 /// The returns in a frame around a place of the fan, in beams and in reaches of the kernel along the line of
-/// sight: on its sides (left and right, at the place's range) and at its ends (nearer and farther, in its
-/// beams). Its middle is left out, where a target's own returns are.
+/// sight: on its sides (left and right, in three windows over range) and at its ends (nearer and farther, in
+/// its beams). Its middle is left out, where a target's own returns are.
 class FrameCounts {
  public:
   static constexpr double kBeams = 6.0;          ///< Half width of the frame [beams],
   static constexpr double kReaches = 2.0;        ///< and half depth [reaches].
   static constexpr double kMiddleBeams = 2.0;    ///< Half width of its middle [beams],
   static constexpr double kMiddleReaches = 1.0;  ///< and half depth [reaches].
+  static constexpr std::size_t kWindows = 3;     ///< Of a side: nearer, level with the place, farther.
+  static_assert(kReaches == 2.0 * kMiddleReaches, "the windows of a side have one area");
 
   /// What lies beyond the fan around the place: there one side stands for both.
   struct Border {
@@ -32,10 +34,10 @@ class FrameCounts {
 
   /// Where a return lies in the frame.
   struct Spot {
-    bool counts = false;              ///< Neither in the middle nor outside.
-    bool beside = false;              ///< On a side; else at an end.
-    std::size_t second = 0;           ///< 0: left or nearer, 1: right or farther.
-    std::array<double, 3> windows{};  ///< Of a side: 1 for each window that holds it, else 0.
+    bool counts = false;                     ///< Neither in the middle nor outside.
+    bool beside = false;                     ///< On a side; else at an end.
+    std::size_t second = 0;                  ///< 0: left or nearer, 1: right or farther.
+    std::array<double, kWindows> windows{};  ///< Of a side: 1 for each window that holds it, else 0.
   };
   /// @param across beams to starboard of the place. @param along reaches beyond it.
   static Spot spot_of(double across, double along) {
@@ -82,7 +84,7 @@ class FrameCounts {
   static constexpr double kToEnd = 0.5 * (kMiddleReaches + kReaches);  ///< See above.
 
  private:
-  static constexpr std::size_t kWindows = 3, kLevel = 1;  // Of a side: nearer, level with the place, farther.
+  static constexpr std::size_t kLevel = 1;  // The window that lies level with the place.
   template <std::size_t windows>
   using Pair =
       std::array<std::array<double, windows>, 2>;  // Two opposite sides: left and right, near and far.
@@ -106,7 +108,7 @@ class FrameExcess {
   FrameExcess(const FrameCounts& frame, const FrameCounts::Border& border, double per_area,
               ExcessPrior prior);
 
-  const Excess& both() const { return both_; }  ///< What both sides, or both ends, have.
+  const Excess& both() const { return both_; }  ///< Of both sides, level or slanting, or of both ends.
   /// Whether the place is at a corner of what is dense, where one side or end alone has it.
   bool is_corner() const { return edge_.density() > both_.density(); }
   /// At a corner what lies at the place itself, `spot`, counts, up to what its richest side has.

@@ -99,14 +99,15 @@ struct SensorLearningParams {
 
 /// How the density of false returns is learnt, and what tracks have to do with it.
 struct ClutterLearningParams {
-  SpillParams spill;              ///< How echoes heard in several beams are recognised.
-  ClutterMapParams map;           ///< Where false returns are counted.
-  int judge_every = 4;            ///< Scans after which all in memory are judged anew, >= 1.
-  double least_change = 0.05;     ///< Relative change of a return's share that is worth it, > 0.
-  double sure_existence = 0.9;    ///< A track with so much existence, in (0, 1),
-  double sure_age = 10.0;         ///< that lives for so long [range sigma / max speed], >= 0,
-  double sure_sigma = 1.0 / 6.0;  ///< whose velocity is known so well [max speed], > 0,
-  MoverParams mover;              ///< and that surely moves is no clutter.
+  SpillParams spill;           ///< How echoes heard in several beams are recognised.
+  ClutterMapParams map;        ///< Where false returns are counted.
+  int judge_every = 4;         ///< Scans after which all in memory are judged anew, >= 1.
+  double least_change = 0.05;  ///< Relative change of a return's share that is worth it, > 0.
+  double sure_existence =
+      0.9;                 ///< A track is no clutter that surely moves, has so much existence, in (0, 1),
+  double sure_age = 10.0;  ///< lives for so long [range sigma / max speed], >= 0,
+  double sure_sigma = 1.0 / 6.0;  ///< and whose velocity is known so well [max speed], > 0.
+  MoverParams mover;              ///< When it surely moves.
 };
 
 /// The joint engine: the sensor's likelihood, the prior, and how densities are drawn, claimed and begun.

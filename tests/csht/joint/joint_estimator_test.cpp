@@ -47,7 +47,6 @@ TEST(JointEstimator, ReportsWhereTheTargetsAre) {
   }
 }
 
-// The sea looks the same from a sonar that is turned with it: the answer turns along.
 // Faster targets shorten what the tracker pairs within (10 s at 3 m/s), but a window is searched whole: at
 // P_M = .7 a target has too few detections to leave out those of the longest lags.
 TEST(JointEstimator, PairsDetectionsOverTheWholeWindowHoweverFastTargetsAre) {
@@ -58,6 +57,7 @@ TEST(JointEstimator, PairsDetectionsOverTheWholeWindowHoweverFastTargetsAre) {
   EXPECT_GE(scaled(window_engine(), SensorScale::of(fast)).birth.max_lag_s, window);
 }
 
+// The sea looks the same from a sonar that is turned with it: the answer turns along.
 TEST(JointEstimator, TurnsWithTheScene) {
   const auto scans = testing::noisy_scans({{{80, 10}, {-1, 2}}}, 20, 9, 1008);
   auto turned = scans;

@@ -22,6 +22,7 @@ TEST(FrameCounts, EvenClutterCountsByItsArea) {
     for (double along = -1.75; along < 2.0; along += 0.5) take(frame, across, along, 0.5, true);
   EXPECT_NEAR(frame.beside(kInside), FrameCounts::kBesideArea, 1e-9);
   EXPECT_NEAR(frame.around(kInside), FrameCounts::kAroundArea, 1e-9);
+  EXPECT_NEAR(frame.slanting(kInside), FrameCounts::kBesideArea, 1e-9);
 }
 
 TEST(FrameCounts, TheMiddleDoesNotCount) {
@@ -41,7 +42,7 @@ TEST(FrameCounts, ATrailDoesNotCount) {
   EXPECT_NEAR(frame.beside(kInside), 2.0 * 6.0, 1e-9);
 }
 
-// A bottom that comes 1 reach nearer in the 4 beams to the middle of a side: level with the place neither
+// A bottom that comes 1.5 reaches nearer in the 4 beams to the middle of a side: level with the place neither
 // side has any of it.
 TEST(FrameCounts, WhatSlantsCountsInTheWindowsWhereItIs) {
   FrameCounts frame;

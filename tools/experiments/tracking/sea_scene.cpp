@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "core/field_of_view.hpp"
+#include "core/input_error.hpp"
 #include "core/random.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
 
@@ -63,6 +64,14 @@ sonar_sim::TargetPlan draw_near(const sonar_sim::Scene& scene, double appear, co
   return target;
 }
 
+using Draw = sonar_sim::TargetPlan (*)(const sonar_sim::Scene&, double, core::Random&);
+
+Draw draw_of(const std::string& targets) {
+  if (targets == kTargets[0]) return draw_staying;
+  if (targets == kTargets[1]) return draw_near;
+  throw core::InputError("unknown targets `" + targets + "`, accepted: staying near");
+}
+
 }  // namespace
 
 std::span<const char* const> sea_conditions() {
@@ -77,7 +86,7 @@ sonar_sim::Scene sea_scene(const SeaSetting& setting, std::uint64_t seed, int ru
   auto scene =
       load_variant("sea_" + setting.condition + ".yaml", {setting.p_false_alarm, setting.p_miss, kSigma});
   core::Random random(seed, core::RandomStream::experiment, kTargetDraws | static_cast<std::uint64_t>(run));
-  const auto draw = setting.targets == "near" ? draw_near : draw_staying;
+  const auto draw = draw_of(setting.targets);
   scene.targets.clear();
   for (const double appear : kAppear) {
     scene.targets.push_back(draw(scene, appear, random));

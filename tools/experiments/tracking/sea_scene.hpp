@@ -15,7 +15,7 @@ std::span<const char* const> sea_conditions();
 struct SeaSetting {
   std::string condition;                     ///< One of `sea_conditions`.
   std::string targets = "staying";           ///< One of `sea_targets`.
-  double p_false_alarm = 0.1, p_miss = 0.1;  ///< A beam, told to the simulator.
+  double p_false_alarm = 0.1, p_miss = 0.1;  ///< Of an empty beam, and of a target in view.
 };
 
 /// How targets are drawn: `staying`, evenly over the sector at 40 to 150 m when they come, and there half way
@@ -24,6 +24,7 @@ std::span<const char* const> sea_targets();
 
 /// The scene of a setting with four targets drawn for the run: 0.8 to 1.3 m/s on any course, two in view at
 /// the start, one from 10 s on and one from 20 s on. All conditions of a run have the same targets.
+/// @throws core::InputError on targets or a condition of another name.
 sonar_sim::Scene sea_scene(const SeaSetting& setting, std::uint64_t seed, int run);
 
 }  // namespace lookout::tools

@@ -17,7 +17,7 @@ constexpr double kLongestStep = 1.5;          // [signatures] of one iteration
 constexpr double kReach = 3.0;                // [signatures] of a target beyond which it gives nothing
 constexpr double kUnrestMemory = 0.85;        // per frame
 constexpr double kMostSurprise = 8.0;         // that one frame counts for
-constexpr int kSettledAge = 6;                // from which a track says how measured places scatter
+constexpr int kSettledAge = 6;  // frames of a track, from which on it says how measured places scatter
 
 bool odd(int n) {
   return n >= 1 && n % 2 == 1;

@@ -66,12 +66,12 @@ class CellMeasurement {
     Eigen::Vector4d predicted;
     Eigen::Matrix4d covariance;
     Eigen::Matrix4d error;
-    CellView view;           ///< At the predicted position, in cells of the scale.
-    Eigen::Vector2d mean;    ///< Present estimate of the cell position.
-    double intensity = 0.0;  ///< Present lambda_k.
-    double surprise = 1.0;   ///< Squared innovation over its expectation.
-    Eigen::Vector2d innovation;
-    Eigen::Array2d stated;  ///< Variance of the measured place for the noise of the cells alone.
+    CellView view;               ///< At the predicted position, in cells of the scale.
+    Eigen::Vector2d mean;        ///< Present estimate of the cell position.
+    double intensity = 0.0;      ///< Present lambda_k.
+    double surprise = 1.0;       ///< Squared innovation over its expectation.
+    Eigen::Vector2d innovation;  ///< Measured less predicted place [cells of the scale].
+    Eigen::Array2d stated;  ///< Variance of the measured place for the noise of the cells alone [cells^2].
     CellWindow gate;
     AxisIntegrals x, y;
     Sums sums;

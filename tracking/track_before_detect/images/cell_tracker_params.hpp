@@ -9,7 +9,7 @@ namespace lookout::tracking {
 struct CellMotionParams {
   double steady_density = 0.0004;  ///< White acceleration on a steady course [unit^2 / s^3], > 0.
   double agile_density = 0.05;     ///< Where the innovations say that it turns [unit^2 / s^3], > 0.
-  double usual_share = 0.01;       ///< Of those, what targets mostly do: the published error's, in (0, 1].
+  double usual_share = 0.01;  ///< Of the filter's density, what the published error allows for, in (0, 1].
   double start_speed_sigma = 1.0;  ///< Of each velocity component of a new track [unit/s], > 0.
   double max_speed = 4.0;          ///< Faster tracks are deleted [unit/s], > 0.
 };

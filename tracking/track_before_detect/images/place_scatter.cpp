@@ -20,6 +20,7 @@ Eigen::Array2d PlaceScatter::factor(std::size_t scale) const {
 
 void PlaceScatter::learn(std::size_t scale, const Eigen::Array2d& innovation, const Eigen::Array2d& predicted,
                          const Eigen::Array2d& stated) {
+  if ((stated <= 0.0).any()) return;  // A single cell that holds all says nothing.
   if (scale >= learnt_.size()) learnt_.resize(scale + 1);
   Mean& mean = learnt_[scale];
   mean.count = std::min(mean.count + 1.0, kMemory - kPriorInnovations);

@@ -16,10 +16,11 @@ class PlaceScatter {
   Eigen::Array2d factor(std::size_t scale) const;
   /// Learns from one innovation, columns and rows [cells of the scale].
   /// @param predicted variance of the error of the prediction [cells^2].
-  /// @param stated variance of the measured place for the noise of the cells alone [cells^2], > 0.
+  /// @param stated variance of the measured place for the noise of the cells alone [cells^2]; where it
+  /// is 0 nothing is learnt.
   void learn(std::size_t scale, const Eigen::Array2d& innovation, const Eigen::Array2d& predicted,
              const Eigen::Array2d& stated);
-  void reset() { learnt_.clear(); }  ///< Forgets all: the scales are others.
+  void reset() { learnt_.clear(); }  ///< Forgets all: the scales or the tracks are others.
 
  private:
   struct Mean {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/input_error.hpp"
+
 namespace lookout::tools {
 namespace {
 
@@ -38,10 +40,14 @@ TEST(SeaScene, NearTargetsComeAtFortyToEightyMetres) {
       const auto vehicle = motion.at(target.appear).T_earth_body;
       const Eigen::Vector2d first = target_state(target, target.appear).position;
       const double range = (first - Eigen::Vector2d(vehicle.north, vehicle.east)).norm();
-      EXPECT_GE(range, 39.9);
-      EXPECT_LE(range, 80.1);
+      EXPECT_GE(range, 40.0 - 1e-6);
+      EXPECT_LE(range, 80.0 + 1e-6);
     }
   }
+}
+
+TEST(SeaScene, TargetsOfAnotherNameAreRefused) {
+  EXPECT_THROW(sea_scene({"uniform", "far"}, 1000, 0), core::InputError);
 }
 
 TEST(SeaScene, RunsDiffer) {
