@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "csht/joint/density/lived_odds.hpp"
-#include "csht/likelihood/clutter_grid.hpp"
+#include "csht/likelihood/clutter/clutter_grid.hpp"
 #include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {

@@ -12,7 +12,7 @@
 #include "csht/joint/density/engine_params.hpp"
 #include "csht/joint/density/target_track.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
-#include "csht/likelihood/clutter_map.hpp"
+#include "csht/likelihood/clutter/clutter_map.hpp"
 
 namespace lookout::csht {
 

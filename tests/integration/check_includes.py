@@ -20,7 +20,7 @@ ALLOWED = {
 }
 # Rooms of one house, each list from the first that may be included by all to the last that may include all.
 INNER_WALLS = [
-    ["csht/likelihood", "csht/joint"],
+    ["csht/likelihood", "csht/likelihood/clutter", "csht/joint"],
     ["csht/joint/density", "csht/joint/evidence", "csht/joint"],
     ["tracking/initiation/plots", "tracking/initiation/lines", "tracking/initiation/methods"],
     ["tracking/detection", "tracking"],

@@ -4,7 +4,7 @@
 
 #include "csht/joint/density/mover.hpp"
 #include "csht/joint/density/target_prior.hpp"
-#include "csht/likelihood/clutter_map.hpp"
+#include "csht/likelihood/clutter/clutter_map.hpp"
 #include "csht/likelihood/sensor_likelihood.hpp"
 #include "csht/likelihood/sensor_model.hpp"
 #include "csht/likelihood/spill_model.hpp"

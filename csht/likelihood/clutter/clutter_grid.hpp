@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/clutter_grid.hpp"
-#include "csht/likelihood/clutter_map.hpp"
+#include "csht/likelihood/clutter/clutter_map.hpp"
 
 namespace lookout::csht {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "csht/likelihood/clutter_density.hpp"
+#include "csht/likelihood/clutter/clutter_density.hpp"
 #include "csht/likelihood/scan_table.hpp"
 
 namespace lookout::csht {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "csht/likelihood/clutter_density.hpp"
+#include "csht/likelihood/clutter/clutter_density.hpp"
 
 namespace lookout::csht {
 

@@ -1,4 +1,4 @@
-#include "csht/likelihood/clutter_map_params.hpp"
+#include "csht/likelihood/clutter/clutter_map_params.hpp"
 
 #include "core/parameter_check.hpp"
 

@@ -1,4 +1,4 @@
-#include "csht/likelihood/clutter_grid.hpp"
+#include "csht/likelihood/clutter/clutter_grid.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "csht/likelihood/clutter_density.hpp"
+#include "csht/likelihood/clutter/clutter_density.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "csht/likelihood/point_bins.hpp"
+#include "csht/likelihood/clutter/point_bins.hpp"
 
 namespace lookout::csht {
 

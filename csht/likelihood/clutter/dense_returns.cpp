@@ -1,4 +1,4 @@
-#include "csht/likelihood/dense_returns.hpp"
+#include "csht/likelihood/clutter/dense_returns.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "csht/likelihood/clutter_map_params.hpp"
+#include "csht/likelihood/clutter/clutter_map_params.hpp"
 
 #include <gtest/gtest.h>
 

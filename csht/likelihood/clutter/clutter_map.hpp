@@ -5,13 +5,13 @@
 #include <vector>
 
 #include "core/sonar_params.hpp"
-#include "csht/likelihood/clutter_density.hpp"
-#include "csht/likelihood/clutter_map_params.hpp"
-#include "csht/likelihood/dense_returns.hpp"
-#include "csht/likelihood/frame_counts.hpp"
-#include "csht/likelihood/look_memory.hpp"
+#include "csht/likelihood/clutter/clutter_density.hpp"
+#include "csht/likelihood/clutter/clutter_map_params.hpp"
+#include "csht/likelihood/clutter/dense_returns.hpp"
+#include "csht/likelihood/clutter/frame_counts.hpp"
+#include "csht/likelihood/clutter/look_memory.hpp"
+#include "csht/likelihood/clutter/typical_rate.hpp"
 #include "csht/likelihood/scan_table.hpp"
-#include "csht/likelihood/typical_rate.hpp"
 
 namespace lookout::csht {
 

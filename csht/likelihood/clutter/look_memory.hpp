@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/frames.hpp"
-#include "csht/likelihood/point_bins.hpp"
+#include "csht/likelihood/clutter/point_bins.hpp"
 #include "csht/likelihood/scan_table.hpp"
 
 namespace lookout::csht {

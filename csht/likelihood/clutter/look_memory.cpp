@@ -1,4 +1,4 @@
-#include "csht/likelihood/look_memory.hpp"
+#include "csht/likelihood/clutter/look_memory.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "csht/likelihood/clutter_map.hpp"
+#include "csht/likelihood/clutter/clutter_map.hpp"
 
 #include <algorithm>
 #include <array>

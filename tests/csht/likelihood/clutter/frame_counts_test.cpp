@@ -1,4 +1,4 @@
-#include "csht/likelihood/frame_counts.hpp"
+#include "csht/likelihood/clutter/frame_counts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "csht/likelihood/clutter_density.hpp"
-#include "csht/likelihood/dense_returns.hpp"
+#include "csht/likelihood/clutter/clutter_density.hpp"
+#include "csht/likelihood/clutter/dense_returns.hpp"
 
 namespace lookout::csht {
 

@@ -1,4 +1,4 @@
-#include "csht/likelihood/typical_rate.hpp"
+#include "csht/likelihood/clutter/typical_rate.hpp"
 
 #include <algorithm>
 #include <cmath>
