@@ -36,15 +36,19 @@ double log_volume(const CloudMoments& moments) {
 ClutterLearning::ClutterLearning(const ClutterLearningParams& params, const core::SonarParams& sonar)
     : params_(params),
       sonar_(sonar),
-      sensors_{{ClutterMap(params.map, sonar), SpillModel(params.spill)}},
       sure_age_s_(params.sure_age * unit_of_time(sonar)),
-      max_speed_(sonar.max_speed) {}
+      max_speed_(sonar.max_speed) {
+  sensors_.push_back(blank_sensor());
+}
+
+ClutterLearning::Sensor ClutterLearning::blank_sensor() const {
+  return {ClutterMap(params_.map, sonar_), SpillModel(params_.spill), IntensityLaw(params_.intensity)};
+}
 
 // What was learnt of the sonar that made this scan, the newest.
 ClutterLearning::Sensor& ClutterLearning::sensor_of(const ScanTable& newest) {
   newest_ = static_cast<std::size_t>(newest.sensor);
-  while (sensors_.size() <= newest_)
-    sensors_.push_back({ClutterMap(params_.map, sonar_), SpillModel(params_.spill)});
+  while (sensors_.size() <= newest_) sensors_.push_back(blank_sensor());
   return sensors_[newest_];
 }
 
@@ -69,6 +73,9 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
     group(0, likelihood);
   }
   likelihood.set_background(0, background_[0]);
+  if (!sensor.intensity.known()) return;
+  sensor.intensity.rate(newest, background_[0], loudness_[0]);
+  likelihood.set_loudness(0, loudness_[0]);
 }
 
 // Returns that one echo may have made count once.
@@ -88,8 +95,10 @@ std::optional<core::ClutterGrid> ClutterLearning::grid(const ScanLikelihood& lik
 
 void ClutterLearning::reserve(const ScanTable& scan, int scans) {
   background_.assign(static_cast<std::size_t>(scans), std::vector<float>(scan.background.size()));
+  loudness_ = background_;
   changed_.reserve(static_cast<std::size_t>(scans));
   own_.reserve(static_cast<std::size_t>(params_.map.most_returns));
+  likely_.reserve(own_.capacity());
 }
 
 void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
@@ -101,9 +110,21 @@ void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likel
   Sensor& sensor = sensor_of(scans.newest());
   sensor.map.learn(scans.newest(), own_, background_rate(likelihood));
   sensor.map.add(scans.newest());
+  learn_intensities(tracks, likelihood);
   if (++sensor.scans % params_.judge_every != 0) return;
   discount_movers(tracks, likelihood);
   judge_anew(tracks, likelihood, stopped);
+}
+
+// After `own_returns` of the newest scan by all likely tracks.
+void ClutterLearning::learn_intensities(std::span<const TargetTrack> tracks,
+                                        const ScanLikelihood& likelihood) {
+  const ScanTable& newest = likelihood.scans().newest();
+  if (!params_.intensity.enabled) return;
+  if (!mark(tracks, [&](const TargetTrack& track) { return is_no_clutter(track, newest.utime); })) return;
+  likely_.swap(own_);
+  own_returns(0, likelihood);
+  sensors_[newest_].intensity.take(newest, own_, likely_);
 }
 
 // Marks the tracks that `holds` is true of. @return whether there is one.
@@ -160,7 +181,10 @@ void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& 
       if (tracks[slot].used) add_gains(after, tracks[slot], static_cast<int>(slot), likelihood);
     }
     if (after) break;
-    for (const int age : changed_) likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
+    for (const int age : changed_) {
+      likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
+      likelihood.set_loudness(age, loudness_[static_cast<std::size_t>(age)]);
+    }
   }
   for (std::size_t slot = 0; slot < tracks.size(); ++slot)
     if (tracks[slot].used) take_change(static_cast<int>(slot), tracks[slot]);
@@ -173,15 +197,19 @@ void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
   changed_.clear();
   for (int age = 0; age < scans.size(); ++age) {
     if (scans.at_age(age).sensor != scans.newest().sensor) continue;
-    const std::vector<float>& before = scans.at_age(age).background;
+    const ScanTable& scan = scans.at_age(age);
     std::vector<float>& now = background_[static_cast<std::size_t>(age)];
-    now.resize(before.size());
-    sensors_[newest_].map.price(scans.at_age(age), rate, now);
+    now.resize(scan.background.size());
+    sensors_[newest_].map.price(scan, rate, now);
     group(age, likelihood);
-    const auto differs = [&](float one, float other) {
-      return std::abs(one - other) > static_cast<float>(params_.least_change) * other;
+    std::vector<float>& loud = loudness_[static_cast<std::size_t>(age)];
+    sensors_[newest_].intensity.rate(scan, now, loud);
+    const auto same = [&](float one, float other) {
+      return std::abs(one - other) <= static_cast<float>(params_.least_change) * other;
     };
-    if (!std::equal(now.begin(), now.end(), before.begin(), std::not_fn(differs))) changed_.push_back(age);
+    if (!std::equal(now.begin(), now.end(), scan.background.begin(), same) ||
+        !std::equal(loud.begin(), loud.end(), scan.loudness.begin(), same))
+      changed_.push_back(age);
   }
 }
 

@@ -139,7 +139,7 @@ BeamClaims::View BeamClaims::look_points(const TrajectoryCloud& cloud, const Sca
       const double dr = (scan.detections[j].range - range) / figures.range_sigma;
       const double db = core::wrap_to_pi(scan.detections[j].azimuth - azimuth) / figures.bearing_sigma;
       sum += ratio_[j] =
-          static_cast<double>(scan.gain * scan.background[j]) * std::exp(-0.5 * (dr * dr + db * db));
+          static_cast<double>(scan.gain * scan.worth[j]) * std::exp(-0.5 * (dr * dr + db * db));
     }
     for (std::size_t j = 0; j < count; ++j) {
       const double share = cloud.weight[i] * ratio_[j] / sum;

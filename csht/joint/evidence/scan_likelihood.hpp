@@ -56,9 +56,9 @@ class ScanLikelihood {
     scans_.group(age, spill, background);
   }
   /// Sets the background's share of each return of the scan of this age, see ScanHistory.
-  void set_background(int age, const std::vector<float>& background) {
-    scans_.set_background(age, background);
-  }
+  void set_background(int age, std::span<const float> background) { scans_.set_background(age, background); }
+  /// Sets what the intensity of each return of the scan of this age tells, see ScanHistory.
+  void set_loudness(int age, std::span<const float> loudness) { scans_.set_loudness(age, loudness); }
   /// Turns the scan of this age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error) { scans_.set_heading_error(age, error); }
 
