@@ -56,10 +56,11 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   if (!params_.map.enabled) return;
   const ScanTable& newest = likelihood.scans().newest();
   Sensor& sensor = sensor_of(newest);
-  if (background_.empty()) reserve(newest, likelihood.scans().capacity());
-  background_[0].resize(newest.background.size());
+  if (prices_.empty()) reserve(newest, likelihood.scans().capacity());
   const double rate = background_rate(likelihood);
-  std::vector<float>& background = background_[0];
+  Prices& prices = prices_of(0, likelihood.scans());
+  std::vector<float>& background = prices.background;
+  background.resize(newest.background.size());
   // Neighbours are first taken for one echo, and priced at its place: by their own places the trail of an
   // echo that spills would pass for dense clutter.
   background.assign(background.size(), 1.0F);
@@ -72,15 +73,14 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
     sensor.map.price(newest, rate, background);
     group(0, likelihood);
   }
-  likelihood.set_background(0, background_[0]);
-  if (!sensor.intensity.known()) return;
-  sensor.intensity.rate(newest, background_[0], loudness_[0]);
-  likelihood.set_loudness(0, loudness_[0]);
+  likelihood.set_background(0, background);
+  sensor.intensity.rate(newest, background, prices.loudness);
+  if (sensor.intensity.known()) likelihood.set_loudness(0, prices.loudness);
 }
 
 // Returns that one echo may have made count once.
 void ClutterLearning::group(int age, ScanLikelihood& likelihood) {
-  std::vector<float>& background = background_[static_cast<std::size_t>(age)];
+  std::vector<float>& background = prices_of(age, likelihood.scans()).background;
   likelihood.group(age, sensors_[newest_].spill, background);
   const ScanTable& scan = likelihood.scans().at_age(age);
   if (scan.clutter == ClutterModel::point) return;
@@ -94,8 +94,8 @@ std::optional<core::ClutterGrid> ClutterLearning::grid(const ScanLikelihood& lik
 }
 
 void ClutterLearning::reserve(const ScanTable& scan, int scans) {
-  background_.assign(static_cast<std::size_t>(scans), std::vector<float>(scan.background.size()));
-  loudness_ = background_;
+  const std::vector<float> none(scan.background.size());
+  prices_.assign(static_cast<std::size_t>(scans), {none, none});
   changed_.reserve(static_cast<std::size_t>(scans));
   own_.reserve(static_cast<std::size_t>(params_.map.most_returns));
   likely_.reserve(own_.capacity());
@@ -111,7 +111,9 @@ void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likel
   sensor.map.learn(scans.newest(), own_, background_rate(likelihood));
   sensor.map.add(scans.newest());
   learn_intensities(tracks, likelihood);
-  if (++sensor.scans % params_.judge_every != 0) return;
+  ++sensor.scans;
+  price_anew(likelihood);
+  if (sensor.scans % params_.judge_every != 0) return;
   discount_movers(tracks, likelihood);
   judge_anew(tracks, likelihood, stopped);
 }
@@ -167,7 +169,7 @@ bool ClutterLearning::is_no_clutter(const TargetTrack& track, std::int64_t now) 
 
 void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
                                  const std::function<bool()>& stopped) {
-  price_anew(likelihood);
+  find_changes(likelihood.scans());
   if (changed_.empty()) return;
   gains_.resize(std::max(gains_.size(), tracks.size()));
   const ScanHistory& scans = likelihood.scans();
@@ -182,33 +184,48 @@ void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& 
     }
     if (after) break;
     for (const int age : changed_) {
-      likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
-      likelihood.set_loudness(age, loudness_[static_cast<std::size_t>(age)]);
+      const Prices& prices = prices_of(age, likelihood.scans());
+      likelihood.set_background(age, prices.background);
+      likelihood.set_loudness(age, prices.loudness);
     }
   }
   for (std::size_t slot = 0; slot < tracks.size(); ++slot)
     if (tracks[slot].used) take_change(static_cast<int>(slot), tracks[slot]);
 }
 
-// Sets the new prices of the scans in memory and notes the ages where they differ from those that hold.
+ClutterLearning::Prices& ClutterLearning::prices_of(int age, const ScanHistory& scans) {
+  return prices_[static_cast<std::size_t>(scans.pushed() - 1 - age) % prices_.size()];
+}
+
+// Finds the new prices of a part of the scans in memory: each is priced again after `judge_every` scans, and
+// the work is spread evenly.
 void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
   const double rate = background_rate(likelihood);
+  const Sensor& sensor = sensors_[newest_];
+  for (int age = 1; age < scans.size(); ++age) {
+    const ScanTable& scan = scans.at_age(age);
+    if (scan.sensor != scans.newest().sensor || age % params_.judge_every != 0) continue;
+    Prices& prices = prices_of(age, scans);
+    prices.background.resize(scan.background.size());
+    sensors_[newest_].map.price(scan, rate, prices.background);
+    group(age, likelihood);
+    sensor.intensity.rate(scan, prices.background, prices.loudness);
+  }
+}
+
+// Notes the ages whose prices differ from those that hold.
+void ClutterLearning::find_changes(const ScanHistory& scans) {
+  const auto same = [&](float one, float other) {
+    return std::abs(one - other) <= static_cast<float>(params_.least_change) * other;
+  };
   changed_.clear();
   for (int age = 0; age < scans.size(); ++age) {
-    if (scans.at_age(age).sensor != scans.newest().sensor) continue;
     const ScanTable& scan = scans.at_age(age);
-    std::vector<float>& now = background_[static_cast<std::size_t>(age)];
-    now.resize(scan.background.size());
-    sensors_[newest_].map.price(scan, rate, now);
-    group(age, likelihood);
-    std::vector<float>& loud = loudness_[static_cast<std::size_t>(age)];
-    sensors_[newest_].intensity.rate(scan, now, loud);
-    const auto same = [&](float one, float other) {
-      return std::abs(one - other) <= static_cast<float>(params_.least_change) * other;
-    };
-    if (!std::equal(now.begin(), now.end(), scan.background.begin(), same) ||
-        !std::equal(loud.begin(), loud.end(), scan.loudness.begin(), same))
+    if (scan.sensor != scans.newest().sensor) continue;
+    const Prices& now = prices_of(age, scans);
+    if (!std::equal(now.background.begin(), now.background.end(), scan.background.begin(), same) ||
+        !std::equal(now.loudness.begin(), now.loudness.end(), scan.loudness.begin(), same))
       changed_.push_back(age);
   }
 }

@@ -52,6 +52,10 @@ class ClutterLearning {
     std::int64_t scans = 0;  // Taken in.
   };
 
+  struct Prices {  // Of the returns of a scan, laid out as those of ScanTable.
+    std::vector<float> background, loudness;
+  };
+
   Sensor blank_sensor() const;
   Sensor& sensor_of(const ScanTable& newest);
   void group(int age, ScanLikelihood& likelihood);
@@ -64,7 +68,9 @@ class ClutterLearning {
   bool is_no_clutter(const TargetTrack& track, std::int64_t now) const;
   void judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
                   const std::function<bool()>& stopped);
+  Prices& prices_of(int age, const ScanHistory& scans);
   void price_anew(ScanLikelihood& likelihood);
+  void find_changes(const ScanHistory& scans);
   void add_gains(bool anew, TargetTrack& track, int slot, ScanLikelihood& likelihood);
   void take_change(int slot, TargetTrack& track) const;
 
@@ -74,8 +80,8 @@ class ClutterLearning {
   std::size_t newest_ = 0;       ///< Number of the newest scan's.
   double sure_age_s_, max_speed_;
   double mean_life_s_ = std::numeric_limits<double>::infinity();
-  std::vector<std::vector<float>> background_, loudness_;  ///< New prices by age,
-  std::vector<int> changed_;                               ///< and the ages where they differ.
+  std::vector<Prices> prices_;  ///< The latest of each scan in memory,
+  std::vector<int> changed_;    ///< and the ages where they differ from those that hold.
   std::vector<std::array<std::vector<double>, 2>> gains_;  ///< Of each track by age: before, and anew [nats].
   std::vector<double> survival_;                           ///< By age, from the scan before, see lived_odds.
   std::vector<double> own_, likely_, ratio_;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/frames.hpp"
+#include "tools/experiments/harness/scan_times.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"
 #include "tools/experiments/tracking/sea_scene.hpp"
 #include "tools/experiments/tracking/sensor_knowledge.hpp"
@@ -98,6 +99,8 @@ class Sea : public Experiment {
     for (const char* name : {"ospa", "false_per_100s"})
       metrics[std::string(name) + "_later"] = later.at(name);
     metrics["num_tracks"] = mean_tracks(output);
+    metrics["time_ms_median"] = median_time(output.times_ms);
+    metrics["time_ms_p99"] = high_time(output.times_ms);
     return metrics;
   }
 };

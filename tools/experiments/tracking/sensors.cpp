@@ -12,6 +12,7 @@
 #include "core/random.hpp"
 #include "tools/cli/paths.hpp"
 #include "tools/cli/thread_time.hpp"
+#include "tools/experiments/harness/scan_times.hpp"
 #include "tools/experiments/harness/simulated_run.hpp"
 #include "tools/experiments/tracking/perfect_association.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"
@@ -38,7 +39,6 @@ constexpr std::array kFigures{"unknown", "known"};
 constexpr int kRivalRuns = 5;
 constexpr double kTurn =
     core::radians(10.0);  // The targets of a run are turned about the sensor by up to this.
-constexpr double kHighQuantile = 0.99;
 /// Keeps the draws of a run's turn apart from the trackers' seeds.
 constexpr std::uint64_t kTurnDraws = std::uint64_t{1} << 41;
 
@@ -85,19 +85,6 @@ core::SonarParams told(const Cell& cell, const sonar_sim::Scene& scene) {
   return sonar;
 }
 
-double high_quantile(std::vector<double> times) {
-  const auto at =
-      times.begin() + static_cast<std::ptrdiff_t>(kHighQuantile * static_cast<double>(times.size() - 1));
-  std::nth_element(times.begin(), at, times.end());
-  return *at;
-}
-
-double median(std::vector<double> times) {
-  const auto at = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), at, times.end());
-  return *at;
-}
-
 /// Takes the scans of a run one after the other and scores each.
 class SensorRun {
  public:
@@ -116,7 +103,7 @@ class SensorRun {
 
   Metrics metrics() const {
     const auto followed = quality_.result();
-    const double median_ms = median(times_ms_);
+    const double median_ms = median_time(times_ms_);
     return {{"ospa", scorer_.mean().position.total},
             {"error", std::sqrt(error_ / pairs_)},
             {"least_squares", std::sqrt(least_ / pairs_)},
@@ -126,7 +113,7 @@ class SensorRun {
             {"false_per_100s", followed.false_per_100s},
             {"time_to_confirm_s", followed.time_to_confirm},
             {"time_ms_median", median_ms},
-            {"time_ms_p99", high_quantile(times_ms_)},
+            {"time_ms_p99", high_time(times_ms_)},
             {"share_of_real_time", median_ms / period_ms_}};
   }
 
