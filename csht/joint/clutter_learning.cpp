@@ -31,6 +31,14 @@ double log_volume(const CloudMoments& moments) {
          2.0 * std::log(2.0 * std::numbers::pi);
 }
 
+// Whether a scan of that age is priced anew: after `every` scans each time, later after a quarter to a half
+// of its age, for the more scans judge a place the less one more changes.
+bool is_due(int age, int every) {
+  int step = every;
+  while (4 * step <= age) step *= 2;
+  return age % step == 0;
+}
+
 }  // namespace
 
 ClutterLearning::ClutterLearning(const ClutterLearningParams& params, const core::SonarParams& sonar)
@@ -205,7 +213,7 @@ void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
   const Sensor& sensor = sensors_[newest_];
   for (int age = 1; age < scans.size(); ++age) {
     const ScanTable& scan = scans.at_age(age);
-    if (scan.sensor != scans.newest().sensor || age % params_.judge_every != 0) continue;
+    if (scan.sensor != scans.newest().sensor || !is_due(age, params_.judge_every)) continue;
     Prices& prices = prices_of(age, scans);
     prices.background.resize(scan.background.size());
     sensors_[newest_].map.price(scan, rate, prices.background);

@@ -103,8 +103,8 @@ struct ClutterLearningParams {
   SpillParams spill;             ///< How echoes heard in several beams are recognised.
   ClutterMapParams map;          ///< Where false returns are counted.
   IntensityLawParams intensity;  ///< What the intensity of a return tells.
-  int judge_every = 4;           ///< Scans after which all in memory are judged anew, >= 1.
-  double least_change = 0.05;    ///< Relative change of a return's share that is worth it, > 0.
+  int judge_every = 4;  ///< Scans after which the past is judged anew, and a new scan priced anew, >= 1.
+  double least_change = 0.05;  ///< Relative change of a return's share that is worth it, > 0.
   double sure_existence =
       0.9;                 ///< A track is no clutter that surely moves, has so much existence, in (0, 1),
   double sure_age = 10.0;  ///< lives for so long [range sigma / max speed], >= 0,

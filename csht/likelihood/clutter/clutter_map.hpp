@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "core/sonar_params.hpp"
-#include "csht/likelihood/clutter/clutter_density.hpp"
 #include "csht/likelihood/clutter/clutter_map_params.hpp"
 #include "csht/likelihood/clutter/dense_returns.hpp"
-#include "csht/likelihood/clutter/frame_counts.hpp"
+#include "csht/likelihood/clutter/earth_frame.hpp"
 #include "csht/likelihood/clutter/look_memory.hpp"
+#include "csht/likelihood/clutter/look_times.hpp"
+#include "csht/likelihood/clutter/sonar_frame.hpp"
 #include "csht/likelihood/clutter/typical_rate.hpp"
 #include "csht/likelihood/scan_table.hpp"
 
@@ -55,20 +56,6 @@ class ClutterMap {
   std::vector<PricedPlace> places(const ScanTable& scan, double rate, std::size_t most) const;
 
  private:
-  void find_typical_rate(const ScanTable& scan);
-  void mark_looks(const ScanTable& scan) const;
-  // How far in time a look is from the scan at hand.
-  struct LookTime {
-    bool own = false;      // It is that scan,
-    bool before = false;   // or earlier;
-    bool counted = false;  // it judges places of the earth and corners,
-    bool far = false;      // and spots.
-  };
-  const LookTime& time_of(const BinnedPoint& p) const { return times_[memory_.index_of(p)]; }
-  // What is dense at a place: by all returns, and by their shares that the other frame does not explain.
-  struct TwoExcesses {
-    Excess all, free;
-  };
   // What is dense at a place in either frame.
   struct PlaceExcess {
     TwoExcesses sonar, earth;
@@ -76,40 +63,21 @@ class ClutterMap {
     double explained_by_sonar() const;
     double explained_by_earth() const;
   };
+  void find_typical_rate(const ScanTable& scan);
   PlaceExcess excess_at(const ScanTable& scan, const SeenPlace& place, double rate) const;
-  TwoExcesses spot_excess(const ScanTable& scan, const SeenPlace& place, double rate, bool far) const;
-  struct EarthBox {  // Around a place: the line of sight, and half its length and width [m].
-    Eigen::Vector2d along;
-    double down = 0.0, across = 0.0;
-  };
-  struct TwoCounts {
-    double all = 0.0, free = 0.0;
-    void take(const BinnedPoint& point, double kernel);
-  };
-  struct EarthCounts {  // Kernels of the whole length, of a third of it, and of a third about the line of the
-                        // returns.
-    TwoCounts wide, thin, line;
-  };
-  template <class Use>
-  void visit_earth(const SeenPlace& place, const EarthBox& box, const Use& use) const;
-  EarthCounts count_in_earth(const SeenPlace& place, const EarthBox& box) const;
-  TwoExcesses earth_excess(const ScanTable& scan, const SeenPlace& place, double rate) const;
   double background_at(const ScanTable& scan, const SeenPlace& place, double rate) const;
-  TwoExcesses frame_excess(const ScanTable& scan, const SeenPlace& place, double rate, bool corners) const;
   ExcessPrior sonar_prior() const;
   ExcessPrior earth_prior() const;
   double clear_around(const ScanTable& scan, const SeenPlace& place, double rate) const;
-  double views_of(const SeenPlace& place) const;
 
   ClutterMapParams params_;
   double range_reach_;  ///< [m].
-  std::int64_t leave_out_us_, spot_us_;
+  std::int64_t leave_out_us_;
   LookMemory memory_;
   TypicalRate typical_;
-  mutable std::vector<LookTime> times_;  ///< Of each look, for the scan at hand,
-  mutable double num_counted_ = 0.0;     ///< how many are counted,
-  mutable double num_far_ = 0.0;         ///< how many are far,
-  mutable double num_others_ = 0.0;      ///< and how many there are beside its own.
+  mutable LookTimes times_;  ///< Of the scan at hand.
+  SonarFrame sonar_;
+  EarthFrame earth_;
   DenseReturns sonar_dense_, earth_dense_;
 };
 

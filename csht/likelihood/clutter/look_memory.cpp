@@ -40,8 +40,9 @@ bool LookMemory::add(const ScanTable& scan) {
   Look& look = next_look();
   look.utime = scan.utime;
   look.T_earth_sonar = scan.T_earth_sonar;
-  look.axis = scan.axis;
-  look.half_sector = static_cast<double>(scan.half_sector);
+  look.cos_axis = scan.cos_axis;
+  look.sin_axis = scan.sin_axis;
+  look.cos_half_sector = scan.cos_half_sector;
   look.max_range = scan.max_range;
   const std::size_t stride = scan.detections.size() / (limits_.most_returns + 1) + 1;
   for (std::size_t j = 0; j < scan.detections.size(); j += stride)
