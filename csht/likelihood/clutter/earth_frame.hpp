@@ -17,6 +17,7 @@ class EarthFrame {
     double beams = 1.5;  ///< Across the line of sight [beams], > 0,
     double range = 4.0;  ///< and along it [m], > 0.
   };
+  /// @param reach of the kernel.
   explicit EarthFrame(const Reach& reach) : reach_(reach) {}
 
   /// What is dense at a place, by the densest of three kernels: of the whole length, of a third of it, and of

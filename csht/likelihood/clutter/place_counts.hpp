@@ -10,7 +10,7 @@ namespace lookout::csht {
 
 /// Returns around a place: all of them, and their shares that the other frame does not explain.
 struct TwoCounts {
-  double all = 0.0, free = 0.0;
+  double all = 0.0, free = 0.0;  ///< By their weights.
   /// Takes one in. @param kernel of its distance, >= 0.
   void take(const BinnedPoint& point, double kernel) {
     const double count = static_cast<double>(point.weight) * kernel;
@@ -21,7 +21,7 @@ struct TwoCounts {
 
 /// What is dense at a place by either count.
 struct TwoExcesses {
-  Excess all, free;
+  Excess all, free;  ///< See TwoCounts.
 };
 
 /// The denser one of either.

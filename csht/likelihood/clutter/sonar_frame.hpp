@@ -17,6 +17,7 @@ class SonarFrame {
     double beams = 3.0;  ///< Across the line of sight, > 0,
     double range = 4.0;  ///< and along it [m], > 0.
   };
+  /// @param reach of the kernel.
   explicit SonarFrame(const Reach& reach) : reach_(reach) {}
 
   /// What is dense at a place.
