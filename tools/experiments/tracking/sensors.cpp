@@ -16,6 +16,7 @@
 #include "tools/experiments/harness/simulated_run.hpp"
 #include "tools/experiments/tracking/perfect_association.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"
+#include "tracking/intake/several_returns.hpp"
 #include "tracking/metrics/scorer.hpp"
 #include "tracking/metrics/track_quality.hpp"
 #include "tracking/tracker_registry.hpp"
@@ -138,6 +139,36 @@ class SensorRun {
   double error_ = 0.0, least_ = 0.0, pairs_ = 0.0;  ///< Sums of squares [m^2], and of how many.
 };
 
+/// A tracker as the chain has it: where beams turn out to report several returns, it begins anew with what
+/// was heard.
+class ReturnsFollowed {
+ public:
+  ReturnsFollowed(std::string method, const core::SonarParams& told, std::uint64_t seed)
+      : method_(std::move(method)), told_(told), seed_(seed), pipeline_(pipeline_of(method_, told_, seed_)) {}
+
+  std::span<const core::Track> step(const core::PosedScan& scan) {
+    heard_.push_back(scan);
+    const auto returns = told_.point_sensor() ? std::nullopt : several_.learn(scan.scan);
+    if (returns) begin_anew(*returns);
+    return pipeline_->step(scan).tracks;
+  }
+
+ private:
+  void begin_anew(double clutter_per_scan) {
+    told_.false_alarm_probability.reset();
+    told_.clutter_per_scan = clutter_per_scan;
+    pipeline_ = pipeline_of(method_, told_, seed_);
+    for (std::size_t k = 0; k + 1 < heard_.size(); ++k) pipeline_->step(heard_[k]);
+  }
+
+  std::string method_;
+  core::SonarParams told_;
+  std::uint64_t seed_;
+  std::unique_ptr<tracking::ScanPipeline> pipeline_;
+  tracking::SeveralReturns several_;
+  std::vector<core::PosedScan> heard_;
+};
+
 class Sensors : public Experiment {
  public:
   std::string summary() const override {
@@ -158,11 +189,11 @@ class Sensors : public Experiment {
 
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
     const auto scene = scene_of(cell, seed, run);
-    const auto pipeline = pipeline_of(cell.method, told(cell, scene), run_seed(seed, run));
+    ReturnsFollowed tracker(cell.method, told(cell, scene), run_seed(seed, run));
     SensorRun scored(cutoff_of(cell), scene.platforms.front().sonar.params);
     for (const TimedScan& scan : simulate_through_intake(scene, seed, run)) {
       const double start_ms = thread_time_ms();
-      const auto tracks = pipeline->step(scan.posed).tracks;
+      const auto tracks = tracker.step(scan.posed);
       const double spent_ms = thread_time_ms() - start_ms;
       scored.add(scan, tracks, spent_ms);
     }
