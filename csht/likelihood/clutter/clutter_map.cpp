@@ -35,17 +35,6 @@ double triangle_below(double x) {
   return c < 0.0 ? 0.5 * (1.0 + c) * (1.0 + c) : 1.0 - 0.5 * (1.0 - c) * (1.0 - c);
 }
 
-// Where a scan keeps a detection's return. None for what is in no beam, or behind a nearer return of its
-// beam.
-std::optional<std::size_t> slot_of(const ScanTable& scan, std::size_t index) {
-  if (scan.clutter == ClutterModel::point) return index;
-  const core::Detection& detection = scan.detections[index];
-  if (detection.beam < 0 || detection.beam >= scan.num_beams) return std::nullopt;
-  const std::size_t slot = static_cast<std::size_t>(detection.beam) + 1;
-  if (scan.range[slot] != static_cast<float>(detection.range)) return std::nullopt;
-  return slot;
-}
-
 // The background's share where the density is larger by `excess` than `base`. @param rate of the background
 // by the learnt P_F, @param base by what most of the fan returns at most.
 float background_share(double rate, double base, double excess) {
