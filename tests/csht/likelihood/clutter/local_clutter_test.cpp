@@ -142,6 +142,33 @@ TEST(LocalClutter, AnEchoInSeveralBeamsIsOneReturn) {
   EXPECT_EQ(clutter.detections().front().beam, 21);
 }
 
+// The second sonar of a vehicle hears nothing of the patch that the first one has in its frame.
+TEST(LocalClutter, EachSonarHasAMapOfItsOwn) {
+  LocalClutter clutter({}, {});
+  core::Random random(4), draws(5);
+  const auto weight_in_patch = [&](int k, std::int32_t sensor_id) {
+    const double range = draws.uniform(60.0, 90.0);
+    Returns returns;
+    for (int beam = 50; beam < 70; ++beam) returns.push_back(in_beam(beam, draws.uniform(60.0, 90.0)));
+    if (sensor_id == 2) returns = {in_beam(60, range)};
+    core::PosedScan scan = sea(k, returns, random, 70);
+    scan.scan.sensor_id = sensor_id;
+    clutter.take(scan);
+    const double weight =
+        mean_weight(clutter, [](const core::Detection& d) { return std::abs(d.beam - 60) <= 3; });
+    clutter.learn(std::vector<Taker>(clutter.detections().size()));
+    return weight;
+  };
+  double first = 0.0, second = 0.0;
+  for (int k = 0; k < 120; ++k) {
+    double& weight = k % 2 == 0 ? first : second;
+    const double now = weight_in_patch(k, 1 + k % 2);
+    if (k >= 80) weight += now / 20.0;
+  }
+  EXPECT_LT(first, 0.3);
+  EXPECT_GT(second, first + 0.3);
+}
+
 TEST(LocalClutter, WithoutAMapAllCountsAndNothingIsLearnt) {
   LocalClutterParams params;
   params.map.enabled = false;
