@@ -62,7 +62,7 @@ TEST(CommandLine, BadUsageIsStatusTwoAndOneLine) {
         "fault " LOOKOUT_SOURCE_DIR "/tools/scenarios/faults/scan_off.yaml --lcm-url memq://",
         "doctor --channel-prefix a+b",
         "doctor --lcm-url nonsense",
-        "track --publish-clutter 5 --tracker gnn --lcm-url memq://",
+        "track --publish-clutter 5 --tracker jipda --lcm-url memq://",
         "track --publish-clutter 0 --lcm-url memq://",
         "track --state x --estimator h_pmht --lcm-url memq://"}) {
     const auto result = run_lookout(arguments);

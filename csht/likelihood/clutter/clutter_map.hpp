@@ -37,10 +37,20 @@ class ClutterMap {
   /// explains. @param rate mean number of uniform false returns of a scan, > 0.
   void price(const ScanTable& scan, double rate, std::vector<float>& background);
 
+  /// The same of one detection, also of one that the scan keeps no slot for. @param scan the last that was
+  /// priced.
+  double background_of(const ScanTable& scan, std::size_t detection, double rate) const {
+    return background_at(scan, seen_place(scan, scan.detections[detection]), rate);
+  }
+
   /// Learns from the newest scan how many of the returns stand still or come from places that return more
   /// than the background, and how much more those return. @param own probability, for each detection, that a
   /// target made it. @param rate as for `price`.
   void learn(const ScanTable& newest, std::span<const double> own, double rate);
+  /// `rate`, or by how much of the newest scan most of the fan shows that the uniform background makes more:
+  /// who learns the rate from the prices alone would see what is dense by chance make it less, and then all
+  /// dense.
+  double at_least_typical(double rate) const { return typical_.at_least(rate); }
   /// Probability that a return is of what stands still.
   double standing_share() const { return earth_dense_.share(); }
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "tests/support/patch_sea.hpp"
 #include "tests/support/sonar_scene.hpp"
 
 namespace lookout::tracking {
@@ -34,10 +35,23 @@ TEST(GnnTracker, TwoTargetsKeepTheirIdentities) {
   GnnTracker tracker({}, {});
   std::span<const core::Track> tracks;
   for (int k = 0; k < 30; ++k)
-    tracks = tracker.update(scan_of(k, {{60.0, -20.0 + 0.5 * k}, {90.0, 20.0}}), {});
+    tracks = tracker.update(scan_of(k, {{60.0, -20.0 + 0.5 * k}, {90.0 - 0.5 * k, 20.0}}), {});
   ASSERT_EQ(tracks.size(), 2U);
   EXPECT_NEAR(tracks[0].state(1), -5.5, 0.5);
-  EXPECT_NEAR(tracks[1].state(1), 20.0, 0.5);
+  EXPECT_NEAR(tracks[1].state(0), 75.5, 0.5);
+}
+
+// Of some six false tracks at a time without the map at most one is left.
+TEST(GnnTracker, LearnsWhereFalseReturnsAreDense) {
+  const auto confirmed = [](bool enabled) {
+    GnnParams params;
+    params.clutter.map.enabled = enabled;
+    GnnTracker tracker(params, {});
+    EXPECT_EQ(tracker.learns_clutter(), enabled);
+    return confirmed_in_patch([&](const core::PosedScan& scan) { return tracker.update(scan, {}); });
+  };
+  EXPECT_GT(confirmed(false), 3.0);
+  EXPECT_LT(confirmed(true), 1.0);
 }
 
 TEST(GnnTracker, RefusesParametersOutOfRange) {

@@ -4,10 +4,24 @@
 
 #include <stdexcept>
 
+#include "tests/support/patch_sea.hpp"
 #include "tests/support/sonar_scene.hpp"
 
 namespace lookout::tracking {
 namespace {
+
+// Of some six false tracks at a time without the map at most one is left.
+TEST(KalmanTracker, LearnsWhereFalseReturnsAreDense) {
+  const auto confirmed = [](bool enabled) {
+    KalmanParams params;
+    params.clutter.map.enabled = enabled;
+    KalmanTracker tracker(params, {});
+    EXPECT_EQ(tracker.learns_clutter(), enabled);
+    return confirmed_in_patch([&](const core::PosedScan& scan) { return tracker.update(scan, {}); });
+  };
+  EXPECT_GT(confirmed(false), 3.0);
+  EXPECT_LT(confirmed(true), 1.0);
+}
 
 TEST(KalmanTracker, ConfirmsOnTheMthDetectionAndFollows) {
   KalmanTracker tracker({}, {});
@@ -24,7 +38,7 @@ TEST(KalmanTracker, ConfirmsOnTheMthDetectionAndFollows) {
 
 TEST(KalmanTracker, DropsATrackThatIsSilentForLong) {
   KalmanTracker tracker({}, {});
-  for (int k = 0; k < 40; ++k) tracker.update(scan_of(k, {{50.0, 0.0}}), {});
+  for (int k = 0; k < 40; ++k) tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}), {});
   std::span<const core::Track> tracks;
   for (int k = 40; k < 46; ++k) tracks = tracker.update(scan_of(k, {}), {});
   EXPECT_EQ(tracks.size(), 1U);  // six misses are allowed

@@ -116,7 +116,10 @@ std::unique_ptr<tracking::ScanPipeline> pipeline_of(const Cell& cell, const sona
                                                     std::uint64_t seed) {
   tracking::ChainParams params;
   params.tracker.name = cell.method == kPrinted ? "csht" : cell.method;
-  if (cell.method == kPrinted) params.estimator.name = kPrinted;
+  if (cell.method == kPrinted) {
+    params.estimator.name = kPrinted;
+    params.tracker.own["csht"]["clutter.map.enabled"] = 0.0;  // the paper has no map
+  }
   params.seed = seed;
   params.estimator.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
   core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
