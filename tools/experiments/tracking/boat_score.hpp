@@ -15,9 +15,9 @@ using TracksOfScans = std::vector<std::vector<core::Track>>;
 
 /// What counts as near a boat, and as a silence of it.
 struct BoatScoreParams {
-  double gate = 20.0;   ///< A track farther than this from a boat is not on it [m], > 0.
-  double reach = 40.0;  ///< Of the confirmed tracks those this near to a boat in sight count for OSPA [m], >
-                        ///< 0: farther ones may be on things that are real and have no label.
+  double gate = 20.0;    ///< A track farther than this from a boat is not on it [m], > 0.
+  double reach = 40.0;   ///< Of the confirmed tracks those this near to a boat in sight count for OSPA [m], >
+                         ///< 0: farther ones may be on things that are real and have no label.
   double radius = 15.0;  ///< A return as near as this to a boat may be its own [m], > 0.
   int silent_scans = 3;  ///< Scans in a row without such a return that are a silence, >= 1.
 };
