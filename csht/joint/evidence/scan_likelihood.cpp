@@ -184,7 +184,8 @@ void ScanLikelihood::add(const TrajectoryCloud& cloud, const Trajectory& mean, c
       const Eigen::Vector2d at = position_at(cloud.motion, mean, scans_.seconds_at_age(age));
       others = mask(age, self, std::max(0, beam_at(scans_.at_age(age), at.x(), at.y())));
     }
-    add_scan(cloud, age, others, tolerance_at(age, mean), log_ratio);
+    // In the short window of a new target it strays by less than the sensor errs.
+    add_scan(cloud, age, others, self == kNobody ? tolerance_ : tolerance_at(age, mean), log_ratio);
   }
 }
 
