@@ -187,15 +187,6 @@ double peak_of(const ScanTable& table, std::size_t slot, double range, double si
          heard_share(static_cast<double>(table.range_loss), range);
 }
 
-std::optional<std::size_t> slot_of(const ScanTable& table, std::size_t index) {
-  if (table.clutter == ClutterModel::point) return index;
-  const core::Detection& detection = table.detections[index];
-  if (detection.beam < 0 || detection.beam >= table.num_beams) return std::nullopt;
-  const std::size_t slot = static_cast<std::size_t>(detection.beam) + 1;
-  if (table.range[slot] != static_cast<float>(detection.range)) return std::nullopt;
-  return slot;
-}
-
 void set_heading_error(const HeadingError& error, const SensorFigures& figures, ScanTable& table) {
   const double turn = error.mean - (table.heading_error ? table.heading_error->mean : 0.0);
   table.heading_error = error;

@@ -123,10 +123,6 @@ double lost_of(const ScanTable& table, double inverse_sigma, double range);
 /// @param sigma_scale factor on the sigma of its error, see Tolerance.
 double peak_of(const ScanTable& table, std::size_t slot, double range, double sigma_scale = 1.0);
 
-/// Where a filled table keeps the return of one of its detections. Nothing for what is in no beam, or behind
-/// a nearer return of its beam.
-std::optional<std::size_t> slot_of(const ScanTable& table, std::size_t detection);
-
 /// Turns a filled table with figures to the heading that is now believed, as uncertain as it is now.
 void set_heading_error(const HeadingError& error, const SensorFigures& figures, ScanTable& table);
 

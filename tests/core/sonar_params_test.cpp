@@ -46,6 +46,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   params.position_sigma = 0.5;
   params.latency = 1.25;
   params.resolution = 12.0;
+  params.wander = 0.14;
   SonarParams back;
   read_sonar_params(YamlMap::load_text(to_yaml(params), "t"), back);
   EXPECT_EQ(back.num_beams, params.num_beams);
@@ -57,6 +58,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   EXPECT_EQ(back.position_sigma, 0.5);
   EXPECT_EQ(back.latency, 1.25);
   EXPECT_EQ(back.resolution, 12.0);
+  EXPECT_EQ(back.wander, 0.14);
   EXPECT_FALSE(back.false_alarm_probability);
 }
 
