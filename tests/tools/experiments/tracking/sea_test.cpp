@@ -26,8 +26,9 @@ TEST(Sea, HasEveryConditionUnderEveryKnowledge) {
 
 TEST(Sea, ARunOfTheNearestNeighbourHasAllFigures) {
   const Metrics metrics = metrics_of("uniform");
-  for (const char* name : {"ospa", "ospa_localization", "ospa_cardinality", "ospa_later", "gospa",
-                           "identities", "false_per_100s", "false_per_100s_later", "num_tracks", "time_ms", "time_ms_median", "time_ms_p99"})
+  for (const char* name :
+       {"ospa", "ospa_localization", "ospa_cardinality", "ospa_later", "gospa", "identities",
+        "false_per_100s", "false_per_100s_later", "num_tracks", "time_ms", "time_ms_median", "time_ms_p99"})
     EXPECT_TRUE(metrics.count(name)) << name;
   EXPECT_LE(metrics.at("ospa").value, 20.0);
 }
