@@ -33,6 +33,7 @@ constexpr Range kPoseGaps{0.0, 600.0, true};
 constexpr Range kWaits{0.0, 60.0};
 
 constexpr double kMostDegrees = 360.0;
+constexpr double kLeastStepDegrees = 1e-6;
 
 /// The table of `beam_bearings_deg` [rad], from port, of beams that are counted from starboard too.
 std::vector<double> read_table(const YamlMap& map) {
@@ -65,7 +66,8 @@ void read_even_fan(const YamlMap& map, SonarParams& params) {
   params.num_beams = map.integer("num_beams", params.num_beams, {1, Limits::kMaxBeams});
   read_degrees(map, "first_bearing_deg", params.first_bearing, {-kMostDegrees, kMostDegrees});
   read_degrees(map, "bearing_step_deg", params.bearing_step, {-kMostDegrees, kMostDegrees});
-  if (params.bearing_step == 0.0) map.fail("bearing_step_deg", "is 0, expected another number");
+  if (std::abs(params.bearing_step) < radians(kLeastStepDegrees))
+    map.fail("bearing_step_deg", "is 0 or next to it, expected a millionth of a degree or more, either way");
   count_from_port(params);
   // What a file says of an even fan holds over the uneven one of a file before it, unless it is its mean.
   if (params.fan && !params.fan->fits(params.num_beams, params.first_bearing, params.bearing_step))

@@ -84,6 +84,7 @@ TEST(SonarParams, RefusesWhatMakesNoSensor) {
   EXPECT_THROW(read("max_range: -5"), InputError);
   EXPECT_THROW(read("miss_probability: 1.2"), InputError);
   EXPECT_THROW(read("num_beams: 400"), InputError);
+  EXPECT_THROW(read("bearing_step_deg: 1e-308"), InputError);  // No number of beams is a float then.
   EXPECT_THROW(read("clutter_per_scan: 1\nfalse_alarm_probability: 0.1"), InputError);
   EXPECT_THROW(read("max_ragne: 5"), InputError);
 }

@@ -75,8 +75,10 @@ void LookMemory::take_return(const ScanTable& scan, const core::Detection& detec
   const float own = in_beam ? weight * scan.share[static_cast<std::size_t>(detection.beam) + 1] : weight;
   look.earth.push_back(
       {static_cast<float>(place.p_earth.x()), static_cast<float>(place.p_earth.y()), own, look.number});
-  look.in_sonar.push_back({static_cast<float>(place.beam),
-                           static_cast<float>(place.range / limits_.range_reach), own, look.number});
+  // Of beams too narrow for a float all returns but the axis's lie at the edges.
+  const double beam = std::clamp(place.beam, -1.0 * scan.num_beams, 1.0 * scan.num_beams);
+  look.in_sonar.push_back(
+      {static_cast<float>(beam), static_cast<float>(place.range / limits_.range_reach), own, look.number});
 }
 
 void LookMemory::sort_returns() {
