@@ -8,6 +8,7 @@
 
 #include "csht/joint/density/lived_odds.hpp"
 #include "csht/likelihood/clutter/clutter_grid.hpp"
+#include "csht/likelihood/clutter/echo_prices.hpp"
 #include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
@@ -68,19 +69,10 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   const double rate = background_rate(likelihood);
   Prices& prices = prices_of(0, likelihood.scans());
   std::vector<float>& background = prices.background;
-  background.resize(newest.background.size());
-  // Neighbours are first taken for one echo, and priced at its place: by their own places the trail of an
-  // echo that spills would pass for dense clutter.
-  background.assign(background.size(), 1.0F);
-  const bool spilt = sensor.spill.active();
-  likelihood.group(0, sensor.spill, background);
-  sensor.map.price(newest, rate, background);
-  sensor.spill.learn(newest, likelihood.scans().figures().false_alarm_probability, background);
-  if (spilt || sensor.spill.active()) {
-    likelihood.group(0, sensor.spill, background);
-    sensor.map.price(newest, rate, background);
+  const auto group_newest = [&] { likelihood.group(0, sensor.spill, background); };
+  const double false_alarm = likelihood.scans().figures().false_alarm_probability;
+  if (price_echoes(newest, {rate, false_alarm}, sensor.map, sensor.spill, group_newest, background))
     group(0, likelihood);
-  }
   likelihood.set_background(0, background);
   sensor.intensity.rate(newest, background, prices.loudness);
   if (sensor.intensity.known()) likelihood.set_loudness(0, prices.loudness);
@@ -205,8 +197,7 @@ ClutterLearning::Prices& ClutterLearning::prices_of(int age, const ScanHistory& 
   return prices_[static_cast<std::size_t>(scans.pushed() - 1 - age) % prices_.size()];
 }
 
-// Finds the new prices of a part of the scans in memory: each is priced again after `judge_every` scans, and
-// the work is spread evenly.
+// Finds the new prices of those scans in memory that are due, a few at each scan.
 void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
   const double rate = background_rate(likelihood);

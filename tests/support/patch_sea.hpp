@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <span>
@@ -38,6 +40,20 @@ double confirmed_in_patch(const Update& update) {
     }));
   }
   return sum / (0.5 * kScans);
+}
+
+/// Of some six false tracks at a time that a tracker has there without its map, at most one is left.
+template <class SomeTracker, class Params>
+void expect_map_finds_patch() {
+  const auto confirmed = [](bool enabled) {
+    Params params;
+    params.clutter.map.enabled = enabled;
+    SomeTracker tracker(params, {});
+    EXPECT_EQ(tracker.learns_clutter(), enabled);
+    return confirmed_in_patch([&](const core::PosedScan& scan) { return tracker.update(scan, {}); });
+  };
+  EXPECT_GT(confirmed(false), 3.0);
+  EXPECT_LT(confirmed(true), 1.0);
 }
 
 }  // namespace lookout

@@ -37,10 +37,9 @@ class DetectionTracker : public Tracker {
   /// Begins a track, with velocity zero, on a detection that no track took. @param support of its first hit.
   virtual void begin_on(const core::Detection& detection, const core::SonarParams& sonar, double support) = 0;
 
-  std::span<const core::Detection> detections() const {
-    return clutter_.detections();
-  }                                                                              ///< Of the newest scan.
-  std::span<const csht::ReturnWorth> worth() const { return clutter_.worth(); }  ///< Of each of them.
+  /// Those of the newest scan, and what each is worth.
+  std::span<const core::Detection> detections() const { return clutter_.detections(); }
+  std::span<const csht::ReturnWorth> worth() const { return clutter_.worth(); }  ///< See above.
   /// Gives a detection of the newest scan to a track of the book.
   void give(std::size_t detection, std::size_t track);
 

@@ -70,8 +70,8 @@ class FrameCounts {
   // The frame has three columns over the beams and four strips over range, each a middle reach deep.
   // Around them lies one more of each, for what is outside.
   static constexpr int kLeft = 1, kMiddle = 2, kRight = 3, kColumns = 3, kNear = 1, kFar = 4, kStrips = 4;
-  static constexpr float kColumnBeams = 4.0F;
-  static_assert(2.0 * kBeams == kColumns * 4.0 && 2.0 * kMiddleBeams == 4.0, "the columns have one width");
+  static constexpr auto kColumnBeams = static_cast<float>(2.0 * kMiddleBeams);
+  static_assert(2.0 * kBeams == kColumns * 2.0 * kMiddleBeams, "the columns have one width");
   static constexpr std::size_t kLevel = 1;  // The window that lies level with the place.
   struct Pair {                             // What two opposite sides have.
     double one = 0.0, other = 0.0;

@@ -6,6 +6,7 @@
 
 #include "core/parameter_check.hpp"
 #include "csht/likelihood/clutter/clutter_grid.hpp"
+#include "csht/likelihood/clutter/echo_prices.hpp"
 #include "csht/likelihood/sensor_units.hpp"
 #include "csht/scan_to_detections.hpp"
 
@@ -84,19 +85,12 @@ const LocalClutter::Kept& LocalClutter::kept_at(int age) const {
   return kept_[static_cast<std::size_t>((scans_.pushed() - 1 - age) % scans_.capacity())];
 }
 
-// Neighbours are first taken for one echo, and priced at its place; see ClutterLearning.
 void LocalClutter::price_newest() {
   Sensor& sensor = sensors_[newest_];
   const ScanTable& newest = scans_.newest();
-  background_.assign(newest.background.size(), 1.0F);
-  const bool spilt = sensor.spill.active();
-  scans_.group(0, sensor.spill, background_);
-  sensor.map.price(newest, sensor.rate, background_);
-  sensor.spill.learn(newest, std::min(1.0, sensor.rate / newest.num_beams), background_);
-  if (!spilt && !sensor.spill.active()) return;
-  scans_.group(0, sensor.spill, background_);
-  sensor.map.price(newest, sensor.rate, background_);
-  scans_.group(0, sensor.spill, background_);
+  const auto group = [&] { scans_.group(0, sensor.spill, background_); };
+  const double false_alarm = std::min(1.0, sensor.rate / newest.num_beams);
+  if (price_echoes(newest, {sensor.rate, false_alarm}, sensor.map, sensor.spill, group, background_)) group();
 }
 
 // Keeps of the newest scan's returns those that lead the group of one echo, or are in none.

@@ -41,17 +41,8 @@ TEST(GnnTracker, TwoTargetsKeepTheirIdentities) {
   EXPECT_NEAR(tracks[1].state(0), 75.5, 0.5);
 }
 
-// Of some six false tracks at a time without the map at most one is left.
 TEST(GnnTracker, LearnsWhereFalseReturnsAreDense) {
-  const auto confirmed = [](bool enabled) {
-    GnnParams params;
-    params.clutter.map.enabled = enabled;
-    GnnTracker tracker(params, {});
-    EXPECT_EQ(tracker.learns_clutter(), enabled);
-    return confirmed_in_patch([&](const core::PosedScan& scan) { return tracker.update(scan, {}); });
-  };
-  EXPECT_GT(confirmed(false), 3.0);
-  EXPECT_LT(confirmed(true), 1.0);
+  expect_map_finds_patch<GnnTracker, GnnParams>();
 }
 
 TEST(GnnTracker, RefusesParametersOutOfRange) {

@@ -10,17 +10,8 @@
 namespace lookout::tracking {
 namespace {
 
-// Of some six false tracks at a time without the map at most one is left.
 TEST(KalmanTracker, LearnsWhereFalseReturnsAreDense) {
-  const auto confirmed = [](bool enabled) {
-    KalmanParams params;
-    params.clutter.map.enabled = enabled;
-    KalmanTracker tracker(params, {});
-    EXPECT_EQ(tracker.learns_clutter(), enabled);
-    return confirmed_in_patch([&](const core::PosedScan& scan) { return tracker.update(scan, {}); });
-  };
-  EXPECT_GT(confirmed(false), 3.0);
-  EXPECT_LT(confirmed(true), 1.0);
+  expect_map_finds_patch<KalmanTracker, KalmanParams>();
 }
 
 TEST(KalmanTracker, ConfirmsOnTheMthDetectionAndFollows) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/frames.hpp"
+#include "tools/experiments/harness/quantiles.hpp"
 #include "tracking/metrics/ospa.hpp"
 
 namespace lookout::tools {
@@ -12,12 +13,6 @@ namespace {
 
 std::string suffix_of(std::int32_t id) {
   return "_target" + std::to_string(id);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 double error_of(const tracking::TrackOnTarget& pair) {

@@ -4,91 +4,58 @@
 
 #include <cmath>
 
-#include "core/random.hpp"
-#include "csht/likelihood/scan_history.hpp"
-#include "tests/csht/posed_scans.hpp"
+#include "tests/csht/likelihood/clutter/watched_looks.hpp"
 
 namespace lookout::csht {
 namespace {
 
-constexpr int kLooks = 60;
-constexpr double kFalseAlarm = 0.1;
 constexpr ExcessPrior kPrior{.share = 0.1, .shape = 0.5, .mean = 10.0};
 
-core::SonarReturn in_beam(int beam, double range) {
-  return {core::radians(-44.5 + beam), range, 1.0};
+double density_at(const WatchedLooks& looks, int beam, double range) {
+  return EarthFrame({1.5, 4.0})
+      .at(looks.history.newest(), looks.place(beam, range), looks.memory, looks.times,
+          90 * WatchedLooks::kFalseAlarm, kPrior)
+      .all.density();
 }
 
-// Sixty looks at uniform clutter and at a rock 80 m ahead, heard with an error of 1 m.
-struct Watched {
-  ScanHistory history{{}, {}, 1};
-  LookMemory memory{{.most_looks = kLooks, .most_returns = 512, .range_reach = 4.0}};
-  LookTimes times{4'000'000, 20'000'000};
+// A rock 80 m ahead, heard with an error of 1 m.
+std::optional<double> rock(int beam, core::Random& random) {
+  if (beam != 45) return std::nullopt;
+  return 80.0 + random.gaussian(1.0);
+}
 
-  Watched() {
-    core::Random random(11);
-    for (int k = 0; k < kLooks; ++k) {
-      std::vector<core::SonarReturn> returns{in_beam(45, 80.0 + random.gaussian(1.0))};
-      for (int beam = 0; beam < 90; ++beam)
-        if (beam != 45 && random.bernoulli(kFalseAlarm))
-          returns.push_back(in_beam(beam, random.uniform(0.1, 150.0)));
-      history.push(posed_scan(returns, 500'000 * k));
-      memory.add(history.newest());
-    }
-    times.mark(memory, history.newest().utime);
-  }
-  TwoExcesses at(int beam, double range) const {
-    const Eigen::Vector2d place = core::from_polar(range, core::radians(-44.5 + beam));
-    return EarthFrame({1.5, 4.0})
-        .at(history.newest(), seen_place(history.newest(), place), memory, times, 90 * kFalseAlarm, kPrior);
-  }
-};
-
-// A return a look within a beam, and by a triangle of 4/3 m (a third of the reach) .49 of it where the error
-// is 1 m: the background brings .1 / 150 of a return a metre and beam. By hand some 250 times as much as the
-// background over the kernel of 1.5 beams; asked for is half of that.
+// A return a look. A triangle of 4/3 m (a third of the reach) holds .465 of them on average where the error
+// is 1 m, over 1.5 beams x 4/3 m; the background brings .1 / 150 a beam and metre: 349 times less.
 TEST(EarthFrame, FindsWhatStands) {
-  EXPECT_GT(Watched().at(45, 80.0).all.density(), 125.0);
+  EXPECT_NEAR(density_at(WatchedLooks(rock), 45, 80.0), 349.0, 100.0);
 }
 
 TEST(EarthFrame, FindsNothingElsewhere) {
-  const Watched watched;
-  EXPECT_LT(watched.at(45, 95.0).all.density(), 1.0);
-  EXPECT_LT(watched.at(35, 80.0).all.density(), 1.0);
+  const WatchedLooks looks(rock);
+  EXPECT_LT(density_at(looks, 45, 95.0), 1.0);
+  EXPECT_LT(density_at(looks, 35, 80.0), 1.0);
 }
 
 // Nothing is known of a place by scans that are near in time alone.
 TEST(EarthFrame, ScansNearInTimeDoNotCount) {
-  Watched watched;
-  watched.times = LookTimes(60'000'000, 60'000'000);
-  watched.times.mark(watched.memory, watched.history.newest().utime);
-  EXPECT_EQ(watched.at(45, 80.0).all.density(), 0.0);
+  WatchedLooks looks(rock);
+  looks.times = LookTimes(60'000'000, 60'000'000);
+  looks.times.mark(looks.memory, looks.history.newest().utime);
+  EXPECT_EQ(density_at(looks, 45, 80.0), 0.0);
 }
 
-// A wall at a slant of 45 degrees, sharper than a beam is deep there: the kernel along the line finds more of
-// it than one across all ranges does.
+// A straight wall that beams meet at a slant, sharper than a beam is deep there: the kernel along the line
+// finds more of it than is 2 m behind it.
 TEST(EarthFrame, FollowsALine) {
-  ScanHistory history({}, {}, 1);
-  LookMemory memory({.most_looks = kLooks, .most_returns = 512, .range_reach = 4.0});
-  const auto wall = [](int beam) { return 60.0 / (1.0 + std::tan(core::radians(-44.5 + beam)) * 0.9); };
-  for (int k = 0; k < kLooks; ++k) {
-    std::vector<core::SonarReturn> returns;
-    for (int beam = 40; beam < 60; ++beam) {
-      const double bearing = core::radians(-44.5 + beam);
-      returns.push_back(in_beam(beam, wall(beam) / std::cos(bearing)));
-    }
-    history.push(posed_scan(returns, 500'000 * k));
-    memory.add(history.newest());
-  }
-  LookTimes times(4'000'000, 20'000'000);
-  times.mark(memory, history.newest().utime);
-  const double bearing = core::radians(-44.5 + 50);
-  const auto density_at = [&](double range) {
-    const SeenPlace place = seen_place(history.newest(), core::from_polar(range, bearing));
-    return EarthFrame({1.5, 4.0}).at(history.newest(), place, memory, times, 9.0, kPrior).all.density();
+  const auto wall = [](int beam) {
+    const double bearing = WatchedLooks::bearing(beam);
+    return 60.0 / (1.0 + 0.9 * std::tan(bearing)) / std::cos(bearing);
   };
-  const double on_it = wall(50) / std::cos(bearing);
-  EXPECT_GT(density_at(on_it), 2.0 * density_at(on_it + 2.0));
+  const WatchedLooks looks([&](int beam, core::Random& /*random*/) -> std::optional<double> {
+    if (beam < 40 || beam >= 60) return std::nullopt;
+    return wall(beam);
+  });
+  EXPECT_GT(density_at(looks, 50, wall(50)), 2.0 * density_at(looks, 50, wall(50) + 2.0));
 }
 
 }  // namespace
