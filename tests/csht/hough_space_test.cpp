@@ -20,6 +20,7 @@ VoteParams plain() {
 
 std::vector<LineSample> samples_on(double intercept, double velocity, int num_scans) {
   std::vector<LineSample> samples;
+  samples.reserve(static_cast<std::size_t>(num_scans));
   for (int k = 0; k < num_scans; ++k)
     samples.push_back({k, 0.5 * k, intercept + velocity * 0.5 * k, 1.0, 1.0});
   return samples;
@@ -107,7 +108,7 @@ TEST(HoughSpace, SlidingEqualsVotingAnew) {
     sliding.add(all.subspan(5 * scan, 5));
     if (scan >= 20) sliding.remove(all.subspan(5 * (scan - 20), 5));
   }
-  anew.add(all.subspan(5 * 40, 5 * 20));
+  anew.add(all.subspan(200, 100));
   const auto a = all_cells(sliding, 25.0), b = all_cells(anew, 25.0);
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t k = 0; k < a.size(); ++k) EXPECT_TRUE(a[k] == b[k]);

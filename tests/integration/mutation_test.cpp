@@ -268,7 +268,8 @@ Format import_format(const std::string& name, const std::map<std::string, std::s
   format.command = [name, inputs](const std::string& folder) {
     tools::Options options;
     options.method = name;
-    for (const auto& input : inputs) options.inputs.push_back(folder + "/" + input);
+    for (const auto& input : inputs)
+      options.inputs.push_back((std::filesystem::path(folder) / input).string());
     options.out = folder + "/out";
     return tools::import_command(options);
   };
@@ -380,7 +381,7 @@ int test(const std::string& name, const Format& format, int mutations, unsigned 
 }  // namespace
 }  // namespace lookout::tests
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace lookout::tests;
   const std::map<std::string, Format (*)()> formats{{"recording", recording_format},
                                                     {"scene", scene_format},
@@ -396,4 +397,7 @@ int main(int argc, char** argv) {
   const int mutations = argc > 2 ? std::atoi(argv[2]) : 3000;
   const unsigned seed = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 1;
   return test(argv[1], formats.at(argv[1])(), mutations, seed);
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
 }

@@ -24,19 +24,19 @@ FrameCounts::Border FrameCounts::border_at(const ScanTable& scan, double beam, d
 }
 
 // A window of a side: two neighbouring strips.
-double FrameCounts::side(int before, int column, std::size_t window) const {
-  const int strip = kNear + static_cast<int>(window);
+double FrameCounts::side(std::size_t before, std::size_t column, std::size_t window) const {
+  const std::size_t strip = kNear + window;
   return cell(before, column, strip) + cell(before, column, strip + 1);
 }
 
 // One that is beyond the fan is taken to be like the other.
-FrameCounts::Pair FrameCounts::sides(int before, std::size_t left, std::size_t right,
+FrameCounts::Pair FrameCounts::sides(std::size_t before, std::size_t left, std::size_t right,
                                      const Border& border) const {
   const double one = side(before, kLeft, left), other = side(before, kRight, right);
   return {border.left ? other : one, border.right ? one : other};
 }
 
-FrameCounts::Pair FrameCounts::ends(int before) const {
+FrameCounts::Pair FrameCounts::ends(std::size_t before) const {
   return {cell(before, kMiddle, kNear), cell(before, kMiddle, kFar)};
 }
 
@@ -46,7 +46,7 @@ double FrameCounts::beside(const Border& border) const {
 
 double FrameCounts::around(const Border& border) const {
   double sum = 0.0;
-  for (const int before : {0, 1}) {
+  for (const std::size_t before : {0, 1}) {
     const Pair pair = ends(before);
     sum += of_both({border.near ? pair.other : pair.one, border.far ? pair.one : pair.other});
   }

@@ -35,12 +35,12 @@ class FrameCounts {
   /// Number of the cell that a return lies in; what is in the middle or outside has cells that nothing reads.
   /// @param across beams to starboard of the place. @param along reaches beyond it. @param before 1: it was
   /// heard before the scan at hand, 0: after.
-  static std::size_t cell_of(float across, float along, int before) {
-    const float column = across * (1.0F / kColumnBeams) + 0.5F * kColumns + 1.0F,
-                strip = along + 0.5F * kStrips + 1.0F;
-    const int c = static_cast<int>(std::clamp(column, 0.0F, kColumns + 1.5F));
-    const int s = static_cast<int>(std::clamp(strip, 0.0F, kStrips + 1.5F));
-    return static_cast<std::size_t>((before * (kColumns + 2) + c) * (kStrips + 2) + s);
+  static std::size_t cell_of(float across, float along, std::size_t before) {
+    const float column = across * (1.0F / kColumnBeams) + 0.5F * static_cast<float>(kColumns) + 1.0F,
+                strip = along + 0.5F * static_cast<float>(kStrips) + 1.0F;
+    const auto c = static_cast<std::size_t>(std::clamp(column, 0.0F, static_cast<float>(kColumns) + 1.5F));
+    const auto s = static_cast<std::size_t>(std::clamp(strip, 0.0F, static_cast<float>(kStrips) + 1.5F));
+    return index_of(before, c, s);
   }
   /// Takes a return in. @param cell see `cell_of`.
   void take(std::size_t cell, double weight) { cells_[cell] += weight; }
@@ -69,19 +69,23 @@ class FrameCounts {
  private:
   // The frame has three columns over the beams and four strips over range, each a middle reach deep.
   // Around them lies one more of each, for what is outside.
-  static constexpr int kLeft = 1, kMiddle = 2, kRight = 3, kColumns = 3, kNear = 1, kFar = 4, kStrips = 4;
+  static constexpr std::size_t kLeft = 1, kMiddle = 2, kRight = 3, kColumns = 3;
+  static constexpr std::size_t kNear = 1, kFar = 4, kStrips = 4;
+  static constexpr std::size_t index_of(std::size_t before, std::size_t column, std::size_t strip) {
+    return (before * (kColumns + 2) + column) * (kStrips + 2) + strip;
+  }
   static constexpr auto kColumnBeams = static_cast<float>(2.0 * kMiddleBeams);
   static_assert(2.0 * kBeams == kColumns * 2.0 * kMiddleBeams, "the columns have one width");
   static constexpr std::size_t kLevel = 1;  // The window that lies level with the place.
   struct Pair {                             // What two opposite sides have.
     double one = 0.0, other = 0.0;
   };
-  double cell(int before, int column, int strip) const {
-    return cells_[static_cast<std::size_t>((before * (kColumns + 2) + column) * (kStrips + 2) + strip)];
+  double cell(std::size_t before, std::size_t column, std::size_t strip) const {
+    return cells_[index_of(before, column, strip)];
   }
-  double side(int before, int column, std::size_t window) const;
-  Pair sides(int before, std::size_t left, std::size_t right, const Border& border) const;
-  Pair ends(int before) const;
+  double side(std::size_t before, std::size_t column, std::size_t window) const;
+  Pair sides(std::size_t before, std::size_t left, std::size_t right, const Border& border) const;
+  Pair ends(std::size_t before) const;
   static double of_both(const Pair& pair);
 
   std::array<double, 2 * (kColumns + 2) * (kStrips + 2)> cells_{};

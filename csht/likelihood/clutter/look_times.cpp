@@ -12,7 +12,7 @@ void LookTimes::mark(const LookMemory& memory, std::int64_t utime) {
     const std::int64_t lag = std::abs(look.utime - utime);
     const auto number = [](bool it_is) { return it_is ? 1.0F : 0.0F; };
     times_.push_back(
-        {number(lag != 0), number(lag > leave_out_us_), number(lag > far_us_), look.utime < utime ? 1 : 0});
+        {number(lag != 0), number(lag > leave_out_us_), number(lag > far_us_), look.utime < utime ? 1U : 0U});
     others_ += lag != 0 ? 1.0 : 0.0;
     counted_ += lag > leave_out_us_ ? 1.0 : 0.0;
     far_ += lag > far_us_ ? 1.0 : 0.0;

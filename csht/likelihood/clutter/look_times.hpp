@@ -12,10 +12,10 @@ class LookTimes {
  public:
   /// How far a look is: numbers for yes (1) and no (0), to be multiplied by.
   struct LookTime {
-    float other = 0.0F;    ///< It is not that scan;
-    float counted = 0.0F;  ///< it judges places of the earth and corners,
-    float far = 0.0F;      ///< and spots.
-    int before = 0;        ///< It is earlier.
+    float other = 0.0F;      ///< It is not that scan;
+    float counted = 0.0F;    ///< it judges places of the earth and corners,
+    float far = 0.0F;        ///< and spots.
+    std::size_t before = 0;  ///< It is earlier.
   };
 
   /// @param leave_out_us looks nearer in time are not counted, @param far_us nor taken for far [us], >= 0.

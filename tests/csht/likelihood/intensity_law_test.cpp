@@ -31,6 +31,7 @@ core::SonarReturn in_beam(int beam, double intensity) {
 // Targets in beams 0 and 1, clutter in beams 10, 12 ... of which those from 20 on are dense.
 std::vector<core::SonarReturn> returns(const Means& means, core::Random& random) {
   std::vector<core::SonarReturn> all;
+  all.reserve(kFalse + 2);
   for (int beam = 0; beam < 2; ++beam) all.push_back(in_beam(beam, exponential(means.target, random)));
   for (int k = 0; k < kFalse; ++k)
     all.push_back(in_beam(10 + 2 * k, exponential(k < 5 ? means.clutter : means.dense, random)));
@@ -50,7 +51,7 @@ IntensityLaw taught(const Means& means, int scans) {
   std::vector<double> own(kFalse + 2, 0.0);
   own[0] = own[1] = 1.0;
   for (int k = 0; k < scans; ++k) {
-    history.push(posed_scan(returns(means, random), 500'000 * k));
+    history.push(posed_scan(returns(means, random), 500'000L * k));
     history.set_background(0, backgrounds(history.newest()));
     law.take(history.newest(), own, own);
   }
@@ -68,7 +69,7 @@ TEST(IntensityLaw, EqualIntensitiesTellNothing) {
   ScanHistory history({}, {}, 2);
   const std::vector<double> own{1.0, 0.0, 0.0}, likely{1.0, 0.0, 0.3};
   for (int k = 0; k < 50; ++k) {
-    history.push(posed_scan({in_beam(3, 7.0), in_beam(30, 7.0), in_beam(50, 7.0)}, 500'000 * k));
+    history.push(posed_scan({in_beam(3, 7.0), in_beam(30, 7.0), in_beam(50, 7.0)}, 500'000L * k));
     law.take(history.newest(), own, likely);
   }
   EXPECT_TRUE(law.known());

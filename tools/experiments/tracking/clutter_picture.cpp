@@ -84,10 +84,10 @@ void write_clutter(const std::vector<double>& truth, const std::vector<LearntClu
   core::CsvWriter csv(path, header);
   const core::ClutterGrid& grid = learnt.front().grid;
   for (std::size_t cell = 0; cell < truth.size(); ++cell) {
-    const auto row = static_cast<double>(cell / static_cast<std::size_t>(grid.num_ranges));
-    const auto column = static_cast<double>(cell % static_cast<std::size_t>(grid.num_ranges));
-    csv.number(core::degrees(grid.first_bearing + (row + 0.5) * grid.bearing_step));
-    csv.number((column + 0.5) * grid.range_step);
+    const std::size_t num_ranges = static_cast<std::size_t>(grid.num_ranges);
+    const std::size_t row = cell / num_ranges, column = cell % num_ranges;
+    csv.number(core::degrees(grid.first_bearing + (static_cast<double>(row) + 0.5) * grid.bearing_step));
+    csv.number((static_cast<double>(column) + 0.5) * grid.range_step);
     std::isfinite(truth[cell]) ? csv.number(truth[cell]) : csv.blank();
     for (const LearntClutter& one : learnt) csv.number(static_cast<double>(one.grid.density[cell]));
     csv.end_row();

@@ -185,6 +185,7 @@ class CshtTracking : public Experiment {
  private:
   static void write_truth_of(const std::vector<TimedScan>& scans, const std::string& path) {
     std::vector<core::GroundTruth> truth;
+    truth.reserve(scans.size());
     for (const auto& scan : scans) truth.push_back(scan.truth);
     core::write_truth(path, truth);
   }

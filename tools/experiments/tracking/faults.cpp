@@ -369,6 +369,7 @@ Metrics rehearse(const std::string& fault, const FaultedRun& clean, std::uint64_
 
 std::vector<std::string> fault_names() {
   std::vector<std::string> names;
+  names.reserve(kCases.size());
   for (const auto& fault : kCases) names.emplace_back(fault.name);
   return names;
 }

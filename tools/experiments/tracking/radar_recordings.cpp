@@ -144,6 +144,7 @@ std::string missing_radar_recordings() {
 
 std::vector<int> radar_scenarios() {
   std::vector<int> numbers;
+  numbers.reserve(kScenarios.size());
   for (const auto& scenario : kScenarios) numbers.push_back(scenario.number);
   return numbers;
 }

@@ -28,7 +28,7 @@ double factor_after(int scans, double error) {
   ErrorScale errors;
   for (int k = 0; k < scans; ++k) {
     core::PosedScan scan;
-    scan.scan.utime = 1'000'000 * k;
+    scan.scan.utime = 1'000'000L * k;
     scan.scan.num_beams = 360;
     scan.scan.first_bearing = core::radians(-179.5);
     scan.scan.bearing_step = core::radians(1.0);

@@ -13,7 +13,7 @@ LookMemory ten_looks() {
   LookMemory memory({.most_looks = 10});
   ScanHistory history({}, {}, 1);
   for (int k = 0; k < 10; ++k) {
-    history.push(posed_scan({{0.0, 50.0, 1.0}}, 500'000 * k));
+    history.push(posed_scan({{0.0, 50.0, 1.0}}, 500'000L * k));
     memory.add(history.newest());
   }
   return memory;
@@ -27,9 +27,9 @@ TEST(LookTimes, CountWhatIsNotNearInTime) {
   EXPECT_EQ(times.others(), 9.0);
   EXPECT_EQ(times.counted(), 5.0);  // 0, .5, 3.5, 4 and 4.5 s.
   EXPECT_EQ(times.far(), 1.0);      // 4.5 s.
-  EXPECT_EQ(times.of(3).before, 1);
+  EXPECT_EQ(times.of(3).before, 1U);
   EXPECT_EQ(times.of(4).other, 0.0F);
-  EXPECT_EQ(times.of(5).before, 0);
+  EXPECT_EQ(times.of(5).before, 0U);
   EXPECT_EQ(times.of(9).far, 1.0F);
 }
 

@@ -60,7 +60,7 @@ TEST(SonarFrame, CountsFreeSharesByThemselves) {
     then.detections.resize(look.earth.size());
     for (BinnedPoint& point : looks.memory.look_at(then)->in_sonar) point.free = 0.0F;
   }
-  looks.history.push(posed_scan({}, 500'000 * WatchedLooks::kLooks));
+  looks.history.push(posed_scan({}, 500'000L * WatchedLooks::kLooks));
   looks.memory.add(looks.history.newest());
   looks.times.mark(looks.memory, looks.history.newest().utime);
   const SonarFrame::Found found = found_at(looks, 45, 75.0);

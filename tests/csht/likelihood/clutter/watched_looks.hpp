@@ -46,7 +46,7 @@ struct WatchedLooks {
       else if (random.bernoulli(kFalseAlarm))
         returns.push_back({bearing(beam), random.uniform(0.1, 150.0), 1.0});
     }
-    history.push(posed_scan(returns, 500'000 * look));
+    history.push(posed_scan(returns, 500'000L * look));
     memory.add(history.newest());
   }
 };

@@ -26,11 +26,12 @@ core::ClutterGrid grid_of_the_sea() {
   return grid;
 }
 
-double times_background(const std::vector<double>& density, int row, int first_column, int last_column) {
+double times_background(const std::vector<double>& density, std::size_t row, std::size_t first_column,
+                        std::size_t last_column) {
   double sum = 0.0;
-  for (int column = first_column; column < last_column; ++column)
-    sum += std::pow(10.0, 0.1 * density[static_cast<std::size_t>(50 * row + column)]);
-  return sum / (last_column - first_column);
+  for (std::size_t column = first_column; column < last_column; ++column)
+    sum += std::pow(10.0, 0.1 * density[50 * row + column]);
+  return sum / static_cast<double>(last_column - first_column);
 }
 
 // Ten thousand scans have some 20 or 40 returns of the background in a cell: over 50 cells within 3 x 3 %.
