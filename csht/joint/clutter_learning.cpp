@@ -51,7 +51,8 @@ ClutterLearning::ClutterLearning(const ClutterLearningParams& params, const core
 }
 
 ClutterLearning::Sensor ClutterLearning::blank_sensor() const {
-  return {ClutterMap(params_.map, sonar_), SpillModel(params_.spill), IntensityLaw(params_.intensity)};
+  return {ClutterMap(params_.map, sonar_), SpillModel(params_.spill), IntensityLaw(params_.intensity),
+          BurstScans()};
 }
 
 // What was learnt of the sonar that made this scan, the newest.
@@ -74,6 +75,9 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   if (price_echoes(newest, {rate, false_alarm}, sensor.map, sensor.spill, group_newest, background))
     group(0, likelihood);
   likelihood.set_background(0, background);
+  if (const Burst burst = sensor.bursts.take(background_returns(newest, background), rate);
+      burst.excess > 0.0)
+    likelihood.set_burst(burst);
   sensor.intensity.rate(newest, background, prices.loudness);
   if (sensor.intensity.known()) likelihood.set_loudness(0, prices.loudness);
 }

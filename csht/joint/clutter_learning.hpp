@@ -12,6 +12,7 @@
 #include "csht/joint/density/engine_params.hpp"
 #include "csht/joint/density/target_track.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
+#include "csht/likelihood/clutter/burst_scans.hpp"
 #include "csht/likelihood/clutter/clutter_map.hpp"
 #include "csht/likelihood/intensity_law.hpp"
 
@@ -49,6 +50,7 @@ class ClutterLearning {
     ClutterMap map;
     SpillModel spill;
     IntensityLaw intensity;
+    BurstScans bursts;
     std::int64_t scans = 0;  // Taken in.
   };
 

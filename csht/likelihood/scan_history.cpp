@@ -96,6 +96,13 @@ void ScanHistory::set_loudness(int age, std::span<const float> loudness) {
   rewrite(table);
 }
 
+void ScanHistory::set_burst(const Burst& burst) {
+  ScanTable& table = table_at(0);
+  table.burst = static_cast<float>(burst.probability);
+  table.usual = static_cast<float>(1.0 / (1.0 + burst.excess));
+  rewrite(table);
+}
+
 void ScanHistory::set_heading_error(int age, const HeadingError& error) {
   ScanTable& table = table_at(age);
   csht::set_heading_error(error, figures_[static_cast<std::size_t>(table.sensor)], table);

@@ -42,6 +42,7 @@ class ScanHistory {
   /// ScanTable::background.
   void set_background(int age, std::span<const float> background);
   void set_loudness(int age, std::span<const float> loudness);  ///< Likewise ScanTable::loudness.
+  void set_burst(const Burst& burst);                           ///< Sets that of the newest scan.
 
   /// Turns the scan of that age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
 
 #include "csht/likelihood/blurred_likelihood.hpp"
@@ -135,6 +134,8 @@ int fill_scan_table(const core::PosedScan& posed, ScanTable& table) {
   table.utime = scan.utime;
   table.T_earth_sonar = posed.T_earth_sonar;
   table.heading_error.reset();
+  table.burst = 0.0F;
+  table.usual = 1.0F;
   set_axis(posed.T_earth_sonar.heading + scan.first_bearing + 0.5 * (scan.num_beams - 1) * scan.bearing_step,
            table);
   table.first_bearing = scan.first_bearing;
@@ -162,7 +163,8 @@ std::optional<std::size_t> slot_of(const ScanTable& scan, std::size_t index) {
 
 void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
   std::transform(table.background.begin(), table.background.end(), table.loudness.begin(),
-                 table.worth.begin(), std::multiplies<>());
+                 table.worth.begin(),
+                 [&](float background, float loudness) { return background * loudness * table.usual; });
   table.clutter = model.clutter;
   table.inverse_sigma = static_cast<float>(1.0 / figures.range_sigma);
   if (model.clutter == ClutterModel::point)

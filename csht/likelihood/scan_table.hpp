@@ -12,6 +12,12 @@
 
 namespace lookout::csht {
 
+/// Whether noise came in a burst in a scan: many more returns all over the fan than in others.
+struct Burst {
+  double probability = 0.0;  ///< That it is a burst, so that it tells nothing of what is usual.
+  double excess = 0.0;       ///< By how much its background returns more than usual [usual rate], >= 0.
+};
+
 /// What is known of the error of a scan's heading, beyond that such errors happen.
 struct HeadingError {
   double mean = 0.0;   ///< True heading minus the stated one [rad].
@@ -59,7 +65,8 @@ struct ScanTable {
   /// Laid out likewise: density of its intensity among the returns of targets over that among false ones, >
   /// 0; 1 where it tells nothing;
   std::vector<float> loudness;
-  std::vector<float> worth;  ///< and what the peak's height is of `gain`: both factors' product.
+  std::vector<float>
+      worth;  ///< and what the peak's height is of `gain`: both factors' and `usual`'s product.
   /// Of each slot's return: which group of returns that one echo may have made it is in, -1 for none,
   std::vector<std::int16_t> group;
   /// and the probability that it came by itself or is the echo's own; gain and background count by it.
@@ -68,6 +75,9 @@ struct ScanTable {
   std::vector<float> echo_offset;
   /// Probability that the sonar listened, see EmptyScans: by the rest, silence says nothing.
   float listened = 1.0F;
+  float burst = 0.0F;  ///< See Burst::probability,
+  /// and the usual share of its background, in (0, 1]: `worth` counts by it.
+  float usual = 1.0F;
   float inverse_sigma = 0.0F;  ///< [1/m].
   /// point alone: bearing of each detection from `axis` [rad].
   std::vector<float> bearing_from_axis;

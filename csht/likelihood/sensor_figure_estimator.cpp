@@ -199,17 +199,18 @@ void SensorFigureEstimator::learn_clutter(const ScanHistory& history) {
 
 void SensorFigureEstimator::take_clutter(const ScanTable& scan, Clutter& clutter) const {
   Share& share = clutter.share = {};
+  const float usual = 1.0F - scan.burst;  // A burst tells nothing of how many false returns are usual.
   if (scan.clutter == ClutterModel::point) {
-    share.trials = static_cast<double>(scan.listened);
+    share.trials = static_cast<double>(scan.listened * usual);
     for (std::size_t j = 0; j < scan.detections.size(); ++j)
-      share.hits += static_cast<double>(scan.background[j] * clutter.free[j]);
+      share.hits += static_cast<double>(scan.background[j] * clutter.free[j] * usual);
     return;
   }
   for (int beam = 0; beam < scan.num_beams; ++beam) {
     const std::size_t slot = static_cast<std::size_t>(beam) + 1;
     // A return of what stands or is dense hides whether the background had one.
-    const auto background =
-        static_cast<double>(clutter.free[slot] * (scan.silent(beam) ? scan.listened : scan.background[slot]));
+    const auto background = static_cast<double>(usual * clutter.free[slot] *
+                                                (scan.silent(beam) ? scan.listened : scan.background[slot]));
     share.trials += background;
     if (!scan.silent(beam)) share.hits += background;
   }

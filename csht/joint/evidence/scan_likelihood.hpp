@@ -61,6 +61,7 @@ class ScanLikelihood {
   void set_background(int age, std::span<const float> background) { scans_.set_background(age, background); }
   /// Sets what the intensity of each return of the scan of this age tells, see ScanHistory.
   void set_loudness(int age, std::span<const float> loudness) { scans_.set_loudness(age, loudness); }
+  void set_burst(const Burst& burst) { scans_.set_burst(burst); }  ///< Of the newest scan, see ScanHistory.
   /// Turns the scan of this age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error) { scans_.set_heading_error(age, error); }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "csht/likelihood/clutter/clutter_map.hpp"
@@ -12,6 +13,9 @@ struct BackgroundRate {
   double of_scan = 9.0;  ///< Mean number of a scan, > 0.
   double of_beam = 0.1;  ///< P_F of a beam, in (0, 1].
 };
+
+/// Returns of a scan, each by the background's share of it, laid out as ScanTable::background.
+double background_returns(const ScanTable& scan, std::span<const float> background);
 
 /// Prices the newest scan where echoes may be heard in several beams, and learns from it how they are.
 /// Neighbours are first taken for one echo, and priced at its place: by their own places the trail of an echo

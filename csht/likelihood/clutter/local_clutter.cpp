@@ -70,7 +70,7 @@ std::size_t LocalClutter::number_of(std::int32_t sensor_id) {
   const auto known =
       std::find_if(sensors_.begin(), sensors_.end(), [&](const Sensor& s) { return s.id == sensor_id; });
   if (known == sensors_.end()) {
-    sensors_.push_back({sensor_id, ClutterMap(params_.map, sonar_), SpillModel(params_.spill)});
+    sensors_.push_back({sensor_id, ClutterMap(params_.map, sonar_), SpillModel(params_.spill), BurstScans()});
     sensors_.back().rate = kUnknownFalseAlarm * sonar_.num_beams;
     return sensors_.size() - 1;
   }
@@ -91,6 +91,7 @@ void LocalClutter::price_newest() {
   const auto group = [&] { scans_.group(0, sensor.spill, background_); };
   const double false_alarm = std::min(1.0, sensor.rate / newest.num_beams);
   if (price_echoes(newest, {sensor.rate, false_alarm}, sensor.map, sensor.spill, group, background_)) group();
+  scans_.set_burst(sensor.bursts.take(background_returns(newest, background_), sensor.rate));
 }
 
 // Keeps of the newest scan's returns those that lead the group of one echo, or are in none.
@@ -122,6 +123,7 @@ void LocalClutter::read_background(int age) {
     const auto slot = slot_of(scan, kept.index[k]);
     kept.background[k] = slot ? static_cast<double>(background_[*slot])
                               : sensor.map.background_of(scan, kept.index[k], sensor.rate);
+    kept.background[k] *= static_cast<double>(scan.usual);
     const double beyond_clear = kept.background[k] / params_.clear;
     kept.counted[k] = std::min(1.0, std::max(kept.background[k], beyond_clear * beyond_clear));
   }

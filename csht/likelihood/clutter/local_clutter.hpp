@@ -9,6 +9,7 @@
 #include "core/detection.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
+#include "csht/likelihood/clutter/burst_scans.hpp"
 #include "csht/likelihood/clutter/clutter_map.hpp"
 #include "csht/likelihood/scan_history.hpp"
 #include "csht/likelihood/spill_model.hpp"
@@ -82,6 +83,7 @@ class LocalClutter {
     std::int32_t id = 0;
     ClutterMap map;
     SpillModel spill;
+    BurstScans bursts;
     double rate = 0.0;       // Mean number of uniform false returns of a scan.
     std::int64_t scans = 0;  // Taken in.
   };

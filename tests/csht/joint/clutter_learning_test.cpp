@@ -4,6 +4,7 @@
 
 #include "core/random.hpp"
 #include "csht/joint/joint_scene.hpp"
+#include "tests/csht/posed_scans.hpp"
 #include "tests/support/sonar_scene.hpp"
 
 namespace lookout::csht {
@@ -45,6 +46,24 @@ TEST(ClutterLearning, SwitchedOffItChangesNothing) {
   JointScene scene(params, core::SonarParams(), {});
   show_rock(scene, 0, kScans);
   EXPECT_EQ(background_of_newest(scene), 1.0F);
+}
+
+// A return in every beam where P_F = .1 before: the scan's returns are worth a tenth, those before in full.
+TEST(ClutterLearning, InABurstReturnsAreWorthLess) {
+  JointScene scene({}, core::SonarParams(), {});
+  core::Random random(4);
+  const auto sea = [&](int k, double probability) {
+    std::vector<core::SonarReturn> returns;
+    for (int beam = 0; beam < 90; ++beam)
+      if (random.bernoulli(probability))
+        returns.push_back({core::radians(-44.5 + beam), random.uniform(1.0, 149.0), 1});
+    scene.take(posed_scan(returns, 500'000L * k));
+    scene.learn();
+  };
+  for (int k = 0; k < 20; ++k) sea(k, 0.1);
+  sea(20, 1.0);
+  EXPECT_NEAR(scene.scans().newest().usual, 0.1F, 0.03F);
+  EXPECT_EQ(scene.scans().at_age(1).usual, 1.0F);
 }
 
 // A hypothesis on the rock had the worth of its returns; when they lose it, so does the hypothesis.

@@ -50,6 +50,19 @@ TEST(ScanHistory, TurnsAScanToTheHeadingThatIsBelieved) {
   EXPECT_EQ(history.newest().blur_reach, 4);
 }
 
+// In a burst of three times as much more a return is worth a quarter; the next scan is as usual.
+TEST(ScanHistory, InABurstAReturnIsWorthLess) {
+  ScanHistory history({}, {}, 3);
+  history.push(posed_scan({{core::radians(0.5), 60.0, 1}}));
+  EXPECT_FLOAT_EQ(history.newest().worth[46], 1.0F);
+  history.set_burst({0.9, 3.0});
+  EXPECT_FLOAT_EQ(history.newest().worth[46], 0.25F);
+  EXPECT_FLOAT_EQ(history.newest().burst, 0.9F);
+  for (int k = 1; k < 4; ++k) history.push(posed_scan({{core::radians(0.5), 60.0, 1}}, 500'000L * k));
+  EXPECT_FLOAT_EQ(history.newest().worth[46], 1.0F);
+  EXPECT_EQ(history.newest().burst, 0.0F);
+}
+
 TEST(ScanHistory, RefusesBadFigures) {
   EXPECT_THROW(ScanHistory({}, {}, 0), std::invalid_argument);
   EXPECT_THROW(ScanHistory({.miss_probability = 0.0}, {}, 3), std::invalid_argument);

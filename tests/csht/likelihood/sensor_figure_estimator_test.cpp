@@ -141,6 +141,23 @@ TEST(SensorFigures, AScanThatIsPricedAnewCountsAsItIsPricedNow) {
   EXPECT_NEAR(estimator.estimate().false_alarm_probability, 91.0 / (540.0 + 90.0), 0.01);
 }
 
+// A return in every beam, in a scan that is known for a burst.
+TEST(SensorFigures, ABurstTeachesNoFalseAlarms) {
+  SensorFigureEstimator estimator({}, testing::sonar());
+  ScanHistory history(estimator.figures(), {}, 20);
+  std::vector<core::SonarReturn> all;
+  for (int beam = 0; beam < 90; ++beam) all.push_back({core::radians(-44.5 + beam), 100.0, 1});
+  for (int k = 0; k < 10; ++k) {
+    history.push(posed_scan({all[0], all[10], all[20]}, 500'000L * k));
+    estimator.update(history, {});
+  }
+  const double before = estimator.estimate().false_alarm_probability;
+  history.push(posed_scan(all, 5'000'000));
+  history.set_burst({1.0, 29.0});
+  estimator.update(history, {});
+  EXPECT_DOUBLE_EQ(estimator.estimate().false_alarm_probability, before);
+}
+
 // What the estimator learns of one sure target that stands at the ranges that `range_of` gives for each scan
 // and returns with the errors of `error_of`, or not: nothing is asked of its other figures.
 template <class Range, class Error>

@@ -62,6 +62,22 @@ TEST(LocalClutter, InAUniformSeaReturnsCountInFull) {
   EXPECT_TRUE(clutter.enabled());
 }
 
+// A return in every beam where P_F = .1: each is the background's by a tenth, which counts (4 / 10)^2.
+TEST(LocalClutter, InABurstReturnsAreWorthLess) {
+  LocalClutter clutter({}, {});
+  core::Random random(4);
+  const auto everything = [](const core::Detection&) { return true; };
+  teach(clutter, 30, random, [](int) { return Returns{}; });
+  Returns all;
+  for (int beam = 0; beam < 90; ++beam) all.push_back(in_beam(beam, random.uniform(1.0, 149.0)));
+  clutter.take(posed_scan(all, 15'000'000L, {12.0, 0.0, 0.0}));
+  EXPECT_NEAR(clutter.worth()[0].background, 0.16, 0.05);
+  EXPECT_LT(mean_weight(clutter, everything), 0.9);
+  clutter.learn(std::vector<Taker>(clutter.detections().size()));
+  clutter.take(sea(31, {}, random));
+  EXPECT_GT(mean_weight(clutter, everything), 0.95);
+}
+
 // Twenty beams that return a range in 60 to 90 m: 1/30 a metre for the background's .1/150, 50 times as
 // dense.
 TEST(LocalClutter, InAPatchReturnsAreWorthLessAndLieFartherOff) {
