@@ -135,11 +135,11 @@ void read_sonar_params(const YamlMap& map, SonarParams& params) {
   params.position_sigma = map.number("position_sigma", params.position_sigma, kNotNegative);
   params.resolution = map.number("resolution", params.resolution, kNotNegative);
   params.max_speed = map.number("max_speed", params.max_speed, kSpeeds);
-  params.wander = map.number("wander", params.wander, kNotNegative);
   params.scan_period = map.number("scan_period", params.scan_period, kScanPeriods);
   params.latency = map.number("latency", params.latency, {0, 60});
   params.max_pose_gap = map.number("max_pose_gap_s", params.max_pose_gap, kPoseGaps);
   params.max_wait = map.number("max_wait_s", params.max_wait, kWaits);
+  read_optional(map, "wander", params.wander, kNotNegative);
   read_optional(map, "miss_probability", params.miss_probability, kProbability);
   read_optional(map, "false_alarm_probability", params.false_alarm_probability, kProbability);
   read_optional(map, "clutter_per_scan", params.clutter_per_scan, kNotNegative);
@@ -177,7 +177,7 @@ std::string to_yaml(const SonarParams& params) {
   if (params.position_sigma > 0.0) line("position_sigma", params.position_sigma);
   if (params.resolution > 0.0) line("resolution", params.resolution);
   line("max_speed", params.max_speed);
-  if (params.wander > 0.0) line("wander", params.wander);
+  if (params.wander) line("wander", *params.wander);
   line("scan_period", params.scan_period);
   if (params.latency > 0.0) line("latency", params.latency);
   const SonarParams defaults;

@@ -94,7 +94,8 @@ void ClutterLearning::group(int age, ScanLikelihood& likelihood) {
 std::optional<core::ClutterGrid> ClutterLearning::grid(const ScanLikelihood& likelihood) const {
   if (!params_.map.enabled || likelihood.scans().size() == 0) return std::nullopt;
   const ScanTable& newest = likelihood.scans().newest();
-  return clutter_grid(sensors_[newest_].map, newest, background_rate(likelihood));
+  const ClutterMap& map = sensors_[newest_].map;
+  return clutter_grid(map, newest, map.at_least_typical(background_rate(likelihood)));
 }
 
 void ClutterLearning::reserve(const ScanTable& scan, int scans) {

@@ -66,7 +66,9 @@ void JointScene::push(const core::PosedScan& scan) {
 }
 
 void JointScene::learn() {
-  learnings_[newest_sensor_].learn(tracks, likelihood);
+  learning().learn(tracks, likelihood);
+  wander = learning().wander();
+  likelihood.set_wander(wander);
   if (!stopped()) clutter.learn(tracks, likelihood, stopped);
 }
 

@@ -20,14 +20,14 @@ void resample(const TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector
 
 namespace {
 
+constexpr double kSure = 0.9;  // Probability that targets stray from which on they do.
+
 // Of targets that stray a trajectory holds for a while only: after half its memory a scan is settled.
-SensorFigureParams figure_params(const core::SonarParams& sonar) {
-  SensorFigureParams params;
-  const double memory = Wander(sonar).memory(figures_of(sonar), 0.0);
-  if (std::isfinite(memory))
-    params.settle_scans =
-        std::clamp(static_cast<int>(0.5 * memory / sonar.scan_period), 1, params.settle_scans);
-  return params;
+int settle_scans(const core::SonarParams& sonar, const Wander& wander) {
+  const int rigid = SensorFigureParams{}.settle_scans;
+  const double memory = wander.memory(figures_of(sonar), 0.0);
+  if (!std::isfinite(memory)) return rigid;
+  return std::clamp(static_cast<int>(0.5 * memory / sonar.scan_period), 1, rigid);
 }
 
 }  // namespace
@@ -35,21 +35,33 @@ SensorFigureParams figure_params(const core::SonarParams& sonar) {
 SensorLearning::SensorLearning(const SensorLearningParams& params, const core::SonarParams& sonar)
     : params_(params),
       max_speed_(sonar.max_speed),
-      targets_stray_(Wander(sonar).active()),
+      sonar_(sonar),
+      wander_(sonar),
+      straying_(sonar),
       given_(figures_of(sonar)),
-      figures_(figure_params(sonar), sonar),
-      used_(figures_.figures()) {}
+      figures_({}, sonar),
+      used_(figures_.figures()) {
+  figures_.set_settle_scans(settle_scans(sonar_, wander_));
+}
 
-void SensorLearning::weigh_errors(const TrajectoryCloud& predicted, const BeamMask* mask,
+void SensorLearning::weigh_errors(const TargetTrack& predicted, const BeamMask* mask,
                                   const ScanTable& newest) {
-  if (targets_stray_) errors_.take(predicted, newest, mask, used_.range_sigma / given_.range_sigma);
+  if (moves(predicted)) straying_.take(predicted, newest, mask);
+}
+
+void SensorLearning::choose_wander() {
+  if (sonar_.wander) return;
+  const WanderEstimate estimate = straying_.estimate();
+  wander_ = Wander(sonar_, estimate.probability > kSure ? estimate.rate : 0.0);
+  figures_.set_settle_scans(settle_scans(sonar_, wander_));
 }
 
 void SensorLearning::choose_figures() {
   used_ = figures_.figures();
-  if (!targets_stray_) return;
-  used_.range_sigma = errors_.factor() * given_.range_sigma;
-  used_.bearing_sigma = errors_.factor() * given_.bearing_sigma;
+  if (!wander_.active()) return;
+  const double factor = straying_.estimate().error_factor;
+  used_.range_sigma = factor * given_.range_sigma;
+  used_.bearing_sigma = factor * given_.bearing_sigma;
 }
 
 void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& likelihood) {
@@ -66,6 +78,7 @@ void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& 
     const auto since_first = static_cast<int>(scans.pushed() - 1 - track.first_scan);
     targets_.push_back({samples, track.existence(), std::min(since_first, track.recent.size())});
   }
+  choose_wander();
   figures_.update(scans, targets_);
   choose_figures();
   if (changed(scans.figures())) likelihood.set_figures(used_);

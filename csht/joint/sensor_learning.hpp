@@ -6,8 +6,9 @@
 #include "core/sonar_params.hpp"
 #include "csht/joint/density/engine_params.hpp"
 #include "csht/joint/density/target_track.hpp"
-#include "csht/joint/evidence/error_scale.hpp"
+#include "csht/joint/density/wander.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
+#include "csht/joint/evidence/wander_learning.hpp"
 #include "csht/likelihood/sensor_figure_estimator.hpp"
 
 namespace lookout::csht {
@@ -24,26 +25,29 @@ class SensorLearning {
   /// rewritten.
   void learn(std::span<const TargetTrack> tracks, ScanLikelihood& likelihood);
 
-  /// Takes in how well a sure target's trajectories, predicted to the newest scan, foretell its returns;
-  /// where targets stray the errors are learnt by that, and not by what is left about trajectories that only
-  /// hold for a while.
-  void weigh_errors(const TrajectoryCloud& predicted, const BeamMask* mask, const ScanTable& newest);
+  /// Takes in what the newest scan says of how a sure, moving target strays, unless that is given; and of the
+  /// errors: where targets stray these are learnt by how well returns are foretold, and not by what is left
+  /// about trajectories that only hold for a while. @param predicted before the scan is taken into it.
+  void weigh_errors(const TargetTrack& predicted, const BeamMask* mask, const ScanTable& newest);
 
+  const Wander& wander() const { return wander_; }        ///< How targets stray, as given or learnt.
   const SensorFigures& figures() const { return used_; }  ///< To be used for the next scan.
   /// What the scans say of P_F, P_M and sigma, each with its standard error.
   core::SensorEstimate estimate() const { return figures_.estimate(); }
 
  private:
   bool moves(const TargetTrack& track) const;
+  void choose_wander();
   void choose_figures();
   bool changed(const SensorFigures& before) const;
 
   SensorLearningParams params_;
   double max_speed_;  ///< Of targets [m/s].
-  bool targets_stray_;
+  core::SonarParams sonar_;
+  Wander wander_;
+  WanderLearning straying_;
   SensorFigures given_;
   SensorFigureEstimator figures_;
-  ErrorScale errors_;
   SensorFigures used_;
   std::vector<std::vector<Eigen::Vector4d>> samples_;
   std::vector<KnownTarget> targets_;

@@ -49,6 +49,9 @@ class SensorFigureEstimator {
   /// Call once for every scan pushed to `history`, with the targets known at it.
   void update(const ScanHistory& history, std::span<const KnownTarget> targets);
 
+  /// From now on it is known so many scans later whether a target was detected, >= 1.
+  void set_settle_scans(int scans) { params_.settle_scans = scans; }
+
   const SensorFigures& figures() const { return figures_; }  ///< To be used for the next scan.
   core::SensorEstimate estimate() const;                     ///< What the stream says, with its uncertainty.
 

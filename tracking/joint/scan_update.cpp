@@ -111,7 +111,7 @@ void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
     state.likelihood.add(track.cloud, track.moments.mean, {0, 0}, self, track.log_ratio);
   }
   if (track.existence() > kSureExistence && !track.out_of_view)
-    state.learning().weigh_errors(track.cloud, shared ? state.likelihood.mask(0, self, beam) : nullptr,
+    state.learning().weigh_errors(track, shared ? state.likelihood.mask(0, self, beam) : nullptr,
                                   scans.newest());
   const double evidence = track.cloud.reweigh(track.log_ratio);
   track.log_odds += evidence;

@@ -12,8 +12,8 @@ constexpr double kWidest = 10.0;  // Standard deviations over the sensor's own; 
 
 }  // namespace
 
-Wander::Wander(const core::SonarParams& sonar)
-    : rate_(sonar.point_sensor() ? sonar.wander : 0.0), scan_period_(sonar.scan_period) {}
+Wander::Wander(const core::SonarParams& sonar, double rate)
+    : rate_(sonar.point_sensor() ? rate : 0.0), scan_period_(sonar.scan_period) {}
 
 // The integral of white noise over the time and its second integral, by their joint normal distribution.
 void Wander::stray(double seconds, core::Random& random, TrajectoryCloud& cloud) const {

@@ -15,8 +15,10 @@ class Wander {
  public:
   /// Targets do not stray.
   Wander() = default;
-  /// As the sensor's parameters state it; without effect for a sensor with beams.
-  explicit Wander(const core::SonarParams& sonar);
+  /// At `rate` [m/s per root second], >= 0; without effect for a sensor with beams.
+  Wander(const core::SonarParams& sonar, double rate);
+  /// As the sensor's parameters state it; where they do not, targets do not stray.
+  explicit Wander(const core::SonarParams& sonar) : Wander(sonar, sonar.wander.value_or(0.0)) {}
 
   bool active() const { return rate_ > 0.0; }  ///< Targets stray.
 
