@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tracking/track_before_detect/images/cell_measurement.hpp"
+#include "tracking/track_before_detect/images/course_mixture.hpp"
 #include "tracking/track_before_detect/images/scale_space.hpp"
 
 namespace lookout::tracking {
@@ -55,6 +56,7 @@ struct CellTrackerParams {
   ScaleSpaceParams scales;            ///< Which signatures are looked for.
   CellMeasurementParams measurement;  ///< How a target is measured.
   CellMotionParams motion;            ///< How a target moves.
+  CellCourseParams course;            ///< And changes its course, as far as it is published.
   CellExistenceParams existence;      ///< When a target is believed.
   CellStandingParams standing;        ///< What is no target.
 };

@@ -28,6 +28,10 @@ core::TrackStatus status_of(const CellTrack& track) {
   return track.inside ? core::TrackStatus::confirmed : core::TrackStatus::coasting;
 }
 
+GaussianMode as_filtered(const CellTrack& track) {
+  return {1.0, track.state, track.error};
+}
+
 bool finite(const core::Pose2& pose) {
   return std::isfinite(pose.north) && std::isfinite(pose.east) && std::isfinite(pose.heading);
 }
@@ -110,8 +114,9 @@ void ImageTracker::publish(const std::vector<CellTrack>& tracks) {
     core::Track out;
     out.id = track.id;
     out.status = status_of(track);
-    out.state = track.state;
-    out.covariance = track.error;
+    const GaussianMode course = track.course.begun() ? track.course.merged() : as_filtered(track);
+    out.state = course.mean;
+    out.covariance = course.covariance;
     out.covariance.topLeftCorner<2, 2>() += track.systematic;
     out.existence = track.existence;
     out.first_utime = core::microseconds(track.first_time);
