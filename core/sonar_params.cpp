@@ -33,6 +33,7 @@ constexpr Range kPoseGaps{0.0, 600.0, true};
 constexpr Range kWaits{0.0, 60.0};
 
 constexpr double kMostDegrees = 360.0;
+constexpr double kLeastStepDegrees = 1e-6;
 
 /// The table of `beam_bearings_deg` [rad], from port, of beams that are counted from starboard too.
 std::vector<double> read_table(const YamlMap& map) {
@@ -65,7 +66,8 @@ void read_even_fan(const YamlMap& map, SonarParams& params) {
   params.num_beams = map.integer("num_beams", params.num_beams, {1, Limits::kMaxBeams});
   read_degrees(map, "first_bearing_deg", params.first_bearing, {-kMostDegrees, kMostDegrees});
   read_degrees(map, "bearing_step_deg", params.bearing_step, {-kMostDegrees, kMostDegrees});
-  if (params.bearing_step == 0.0) map.fail("bearing_step_deg", "is 0, expected another number");
+  if (std::abs(params.bearing_step) < radians(kLeastStepDegrees))
+    map.fail("bearing_step_deg", "is 0 or next to it, expected a millionth of a degree or more, either way");
   count_from_port(params);
   // What a file says of an even fan holds over the uneven one of a file before it, unless it is its mean.
   if (params.fan && !params.fan->fits(params.num_beams, params.first_bearing, params.bearing_step))
@@ -133,6 +135,7 @@ void read_sonar_params(const YamlMap& map, SonarParams& params) {
   params.position_sigma = map.number("position_sigma", params.position_sigma, kNotNegative);
   params.resolution = map.number("resolution", params.resolution, kNotNegative);
   params.max_speed = map.number("max_speed", params.max_speed, kSpeeds);
+  params.wander = map.number("wander", params.wander, kNotNegative);
   params.scan_period = map.number("scan_period", params.scan_period, kScanPeriods);
   params.latency = map.number("latency", params.latency, {0, 60});
   params.max_pose_gap = map.number("max_pose_gap_s", params.max_pose_gap, kPoseGaps);
@@ -174,6 +177,7 @@ std::string to_yaml(const SonarParams& params) {
   if (params.position_sigma > 0.0) line("position_sigma", params.position_sigma);
   if (params.resolution > 0.0) line("resolution", params.resolution);
   line("max_speed", params.max_speed);
+  if (params.wander > 0.0) line("wander", params.wander);
   line("scan_period", params.scan_period);
   if (params.latency > 0.0) line("latency", params.latency);
   const SonarParams defaults;

@@ -28,7 +28,11 @@ struct SonarParams {
   /// Distance at which two targets give two returns in half of the scans, nearer ones mostly one [m]; >= 0,
   /// 0: each target gives its own return always. Used for sensors without beams.
   double resolution = 0.0;
-  double max_speed = 3.0;    ///< Fastest target over ground [m/s], > 0.
+  double max_speed = 3.0;  ///< Fastest target over ground [m/s], > 0.
+  /// How targets' velocities stray: after t seconds each component by this times the root of t, one standard
+  /// deviation [m/s per root second], >= 0; 0: targets keep to lines, circles and parabolas. Used by the
+  /// joint engine for sensors without beams.
+  double wander = 0.0;
   double scan_period = 0.5;  ///< Nominal time between scans [s], > 0.
   /// Age of the returns at the time of their scan [s], in [0, 60]: of a sensor that stamps a scan when it
   /// hands it over. The pose of the scan is that of its time: own motion is the driver's to make up for.

@@ -24,6 +24,15 @@ double log_detection_density(const WindowDetection& detection, const Eigen::Vect
          0.5 * detection.distance(detection.p_earth - p_earth);
 }
 
+/// How many of the candidate's own detections the background makes.
+double own_background(const Candidate& candidate, const HoughWindow& window) {
+  double sum = 0.0;
+  for (std::size_t s = 0; s < window.scans().size(); ++s)
+    if (candidate.own[s] >= 0)
+      sum += window.detections()[static_cast<std::size_t>(candidate.own[s])].background;
+  return sum;
+}
+
 }  // namespace
 
 CountDecision::CountDecision(const CountDecisionParams& params) : params_(params) {
@@ -54,7 +63,7 @@ void CountDecision::prepare(const HoughWindow& window) {
 }
 
 double CountDecision::log_evidence(const Candidate& candidate, const HoughWindow& window, double epoch,
-                                   const std::vector<char>& free, int num_free) const {
+                                   const std::vector<char>& free, double num_free) const {
   std::array<View, kMaxWindowScans> views;
   int in_view = 0;
   for (std::size_t s = 0; s < window.scans().size(); ++s) {
@@ -70,7 +79,8 @@ double CountDecision::log_evidence(const Candidate& candidate, const HoughWindow
       continue;
     }
     const auto& detection = window.detections()[static_cast<std::size_t>(candidate.own[s])];
-    sum += rates.detection + log_detection_density(detection, candidate.position(detection.time - epoch));
+    sum += rates.detection + log_background(detection) +
+           log_detection_density(detection, candidate.position(detection.time - epoch));
   }
   return sum;
 }
@@ -85,16 +95,16 @@ CountDecision::View CountDecision::view(const Candidate& candidate, const HoughW
 }
 
 CountDecision::Rates CountDecision::rates(const Candidate& candidate, const HoughWindow& window, int in_view,
-                                          int num_free) const {
+                                          double num_free) const {
   const auto& sonar = window.sonar();
-  const double others = num_free - candidate.support + params_.clutter_regulariser;
+  const double others = num_free - own_background(candidate, window) + params_.clutter_regulariser;
   const double beams = static_cast<double>(window.scans().size()) * sonar.num_beams;
   const double p_detection = (candidate.support + 0.5) / (in_view + 1.0);
   const double p_false = std::min(others / beams, 1.0 - 1.0 / beams);
   const double step = sonar.sector() / sonar.num_beams;
   const double clutter_density = others / (beams * (sonar.fan ? step : sonar.bearing_step) * sonar.max_range);
   return {std::log(p_detection / (2.0 * kPi * clutter_density)), std::log1p(-p_detection),
-          std::log1p(-p_detection) - (sonar.point_sensor() ? 0.0 : std::log1p(-p_false))};
+          std::log1p(-p_detection) - (sonar.point_sensor() ? 0.0 : std::log1p(-p_false)), 1.0 - p_detection};
 }
 
 /// Evidence [nats] of a scan without a detection of the candidate's own: from its beam and, where it is near
@@ -119,7 +129,10 @@ double CountDecision::beam_term(const HoughWindow& window, std::size_t scan, int
   const auto index = static_cast<std::size_t>(reported);
   // A nearer target that is accepted already owns the beam: the scan says nothing of this candidate.
   if (!free[index] && window.detections()[index].range < range) return 0.0;
-  return params_.foreign_return;
+  // What is dense in a target's beam returns as well as elsewhere, whenever the target does not.
+  const double excess = 1.0 - window.detections()[index].background;
+  return excess > 0.0 ? std::log(std::exp(params_.foreign_return) + rates.missed * excess)
+                      : params_.foreign_return;
 }
 
 /// ln of prior density x (2 pi)^2 sqrt(det C), the volume that the fit leaves to the state.

@@ -43,9 +43,10 @@ class CountDecision {
 
   /// Log evidence of a refitted candidate: the likelihood ratio of its scans at the fit, integrated over the
   /// state (Laplace) and weighted with the prior density.
-  /// @param free per detection whether no accepted target owns it; @param num_free how many are.
+  /// @param free per detection whether no accepted target owns it; @param num_free how many are, each as much
+  /// as the background makes of it.
   double log_evidence(const Candidate& candidate, const HoughWindow& window, double epoch,
-                      const std::vector<char>& free, int num_free) const;
+                      const std::vector<char>& free, double num_free) const;
 
   /// Whether the evidence and the support suffice, `best_support` being that of the best target so far.
   bool accepts(const Candidate& candidate, int best_support) const;
@@ -59,13 +60,14 @@ class CountDecision {
     double detection = 0.5;  ///< ln of P_D / (2 pi) over the clutter's density per metre and radian.
     double miss = 0.0;       ///< ln(1 - P_D).
     double silence = 0.0;    ///< ln((1 - P_D) / (1 - P_F)).
+    double missed = 0.5;     ///< 1 - P_D.
   };
   struct View {
     core::SonarPoint point;
     bool visible = false;
   };
   View view(const Candidate& candidate, const HoughWindow& window, std::size_t scan, double epoch) const;
-  Rates rates(const Candidate& candidate, const HoughWindow& window, int in_view, int num_free) const;
+  Rates rates(const Candidate& candidate, const HoughWindow& window, int in_view, double num_free) const;
   double without_detection(const HoughWindow& window, std::size_t scan, const core::SonarPoint& point,
                            const std::vector<char>& free, const Rates& rates) const;
   double beam_term(const HoughWindow& window, std::size_t scan, int beam, double range,

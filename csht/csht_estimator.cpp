@@ -41,7 +41,7 @@ CshtEstimator::CshtEstimator(const CshtParams& params, const core::SonarParams& 
       ownership_(params_.refit, params_.decision) {}
 
 std::span<const core::MotionElement> CshtEstimator::update(const core::PosedScan& scan) {
-  window_.add(scan);
+  window_.add(scan, clutter_);
   slide_votes();
   elements_.clear();
   if (static_cast<int>(window_.scans().size()) < params_.first_estimate_scans) return elements_;
@@ -61,6 +61,7 @@ std::span<const core::MotionElement> CshtEstimator::update(const core::PosedScan
 }
 
 void CshtEstimator::offer(const Explained& explained) {
+  clutter_ = explained.clutter;
   offered_.clear();
   for (const auto& track : explained.tracks) {
     Candidate candidate;

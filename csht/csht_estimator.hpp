@@ -30,7 +30,8 @@ class CshtEstimator : public MotionEstimator {
   std::span<const core::MotionElement> update(const core::PosedScan& scan) override;
 
   /// Confirmed tracks as candidates of the next `update`, which accepts them on less evidence. Their states
-  /// are those at the scan of the last `update`.
+  /// are those at the scan of the last `update`. Where they come with a map of false returns, returns vote
+  /// and count by what they are worth there.
   void offer(const Explained& explained) override;
 
   core::EstimatorMethod method() const override { return core::EstimatorMethod::csht; }
@@ -64,6 +65,7 @@ class CshtEstimator : public MotionEstimator {
   double epoch_ = 0.0;  ///< Middle of the window since its anchor [s].
   std::vector<LineSample> free_lines_[2];
   std::vector<Candidate> offered_;
+  const LocalClutter* clutter_ = nullptr;  ///< As offered.
   bool keeps_snapshots_ = false;
   VoteSnapshot snapshots_[2];
 };

@@ -46,17 +46,34 @@ void over_cells(int column, int length, int columns, Block block, Cell cell) {
   }
 }
 
-void add_block(std::int32_t* __restrict cells, const std::int16_t* __restrict values, std::int32_t sign) {
-  for (int k = 0; k < kLanes; ++k) cells[k] += sign * values[k];
+/// What a vote adds that counts for `weight` of kVoteUnit.
+std::int32_t part_of(std::int16_t value, std::int32_t weight) {
+  return value * weight / kVoteUnit;
 }
 
-void raise_block(std::int16_t* __restrict cells, const std::int16_t* __restrict values) {
-  for (int k = 0; k < kLanes; ++k) cells[k] = std::max(cells[k], values[k]);
+/// Adds a block of votes. Whole ones, which is most, take no multiplication.
+void add_block(std::int32_t* __restrict cells, const std::int16_t* __restrict values, std::int32_t sign,
+               std::int32_t weight) {
+  if (weight == kVoteUnit) {
+    for (int k = 0; k < kLanes; ++k) cells[k] += sign * values[k];
+  } else {
+    for (int k = 0; k < kLanes; ++k) cells[k] += sign * part_of(values[k], weight);
+  }
+}
+
+/// Raises a block of the layer to votes.
+void raise_block(std::int16_t* __restrict cells, const std::int16_t* __restrict values, std::int32_t weight) {
+  if (weight == kVoteUnit) {
+    for (int k = 0; k < kLanes; ++k) cells[k] = std::max(cells[k], values[k]);
+  } else {
+    for (int k = 0; k < kLanes; ++k)
+      cells[k] = std::max(cells[k], static_cast<std::int16_t>(part_of(values[k], weight)));
+  }
 }
 
 /// Moves the layer's votes to the matrix. A cell under two footprints is moved once: its layer is empty then.
 void transfer_block(std::int32_t* __restrict cells, std::int16_t* __restrict layer, std::int32_t sign) {
-  add_block(cells, layer, sign);
+  add_block(cells, layer, sign, kVoteUnit);
   std::fill_n(layer, kLanes, std::int16_t{0});
 }
 
@@ -95,8 +112,11 @@ void HoughSpace::vote_scan(std::span<const LineSample> samples, int sign) {
   voters_.clear();
   for (const auto& sample : samples) {
     const double width = std::max(min_width_, params_.width * sample.sigma) / grid_.intercept_step;
+    const auto weight = static_cast<std::int32_t>(std::lround(sample.weight * kVoteUnit));
+    if (weight == 0) continue;
     voters_.push_back({(sample.position - first_velocity_ * sample.time) * phases_per_metre,
-                       grid_.velocity_step * sample.time * phases_per_metre, kernel_.width_index(width)});
+                       grid_.velocity_step * sample.time * phases_per_metre, kernel_.width_index(width),
+                       weight});
   }
   for (int row = 0; row < rows_; ++row) {
     places_.clear();
@@ -111,16 +131,19 @@ void HoughSpace::vote_row(std::int32_t* votes, std::int32_t sign) {
     const Place& place = places_.front();
     over_cells(
         place.column, place.length, columns_,
-        [&](int first, int k) { add_block(votes + first, place.values + k, sign); },
-        [&](int cell, int k) { votes[cell] += sign * place.values[k]; });
+        [&](int first, int k) { add_block(votes + first, place.values + k, sign, place.weight); },
+        [&](int cell, int k) { votes[cell] += sign * part_of(place.values[k], place.weight); });
     return;
   }
   std::int16_t* const layer = layer_.data();
   for (const Place& place : places_)
     over_cells(
         place.column, place.length, columns_,
-        [&](int first, int k) { raise_block(layer + first, place.values + k); },
-        [&](int cell, int k) { layer[cell] = std::max(layer[cell], place.values[k]); });
+        [&](int first, int k) { raise_block(layer + first, place.values + k, place.weight); },
+        [&](int cell, int k) {
+          layer[cell] =
+              std::max(layer[cell], static_cast<std::int16_t>(part_of(place.values[k], place.weight)));
+        });
   for (const Place& place : places_)
     over_cells(
         place.column, place.length, columns_,
@@ -133,7 +156,7 @@ HoughSpace::Place HoughSpace::place_of(const Voter& voter, int row) const {
   const Footprint footprint = kernel_.at(voter.width, static_cast<int>(position & (VoteKernel::kPhases - 1)));
   const std::int64_t cell = position >> std::countr_zero(static_cast<unsigned>(VoteKernel::kPhases));
   return {footprint.values.data(), static_cast<int>((cell + footprint.first) & (columns_ - 1)),
-          static_cast<int>(footprint.values.size())};
+          static_cast<int>(footprint.values.size()), voter.weight};
 }
 
 VoteStatistics HoughSpace::statistics() const {

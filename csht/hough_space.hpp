@@ -74,15 +74,17 @@ class HoughSpace {
 
  private:
   struct Voter {
-    double intercept = 0.0;  ///< In row 0 [1/kPhases of a cell].
-    double step = 0.0;       ///< From row to row [1/kPhases of a cell].
-    int width = 0;           ///< Index in the kernel.
+    double intercept = 0.0;           ///< In row 0 [1/kPhases of a cell].
+    double step = 0.0;                ///< From row to row [1/kPhases of a cell].
+    int width = 0;                    ///< Index in the kernel.
+    std::int32_t weight = kVoteUnit;  ///< Of the vote.
   };
   /// Where a voter's footprint lies in the row at hand.
   struct Place {
     const std::int16_t* values = nullptr;
     int column = 0;
     int length = 0;  ///< A whole number of VoteKernel::kLanes.
+    std::int32_t weight = kVoteUnit;
   };
 
   void vote(std::span<const LineSample> samples, int sign);

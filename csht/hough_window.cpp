@@ -20,28 +20,49 @@ HoughWindow::HoughWindow(int window_scans, const core::SonarParams& sonar, doubl
   for (auto& line : forgotten_) line.reserve(returns);
 }
 
-void HoughWindow::add(const core::PosedScan& posed) {
+void HoughWindow::add(const core::PosedScan& posed, const LocalClutter* clutter) {
   if (!anchored_) anchor_ = posed.scan.utime;
   anchored_ = true;
   for (auto& line : forgotten_) line.clear();
   if (full()) forget_oldest();
   sonar_ = core::with_geometry_of(posed.scan, sonar_);
-  const int index = static_cast<int>(scans_.size());
-  scan_to_detections(posed, index, newest_);
+  take_newest(posed, clutter);
   const double time = core::seconds(posed.scan.utime - anchor_);
   scans_.push_back({posed.scan.utime, time, posed.T_earth_sonar, static_cast<int>(detections_.size()),
                     static_cast<int>(newest_.size())});
-  for (const auto& detection : newest_) {
-    const WindowDetection own = with_accuracy(detection, time);
+  for (std::size_t j = 0; j < newest_.size(); ++j) {
+    const WindowDetection own = with_accuracy(newest_[j], time);
+    const double weight = clutter != nullptr ? clutter->worth()[j].weight : 1.0;
     detections_.push_back(own);
     for (int axis = 0; axis < 2; ++axis) {
       const double along = own.line_of_sight[axis], across = own.line_of_sight[1 - axis];
       const double sigma =
           std::sqrt(along * along * own.range_variance + across * across * own.cross_variance);
-      lines_[axis].push_back({scan_count_, time, own.p_earth[axis], sigma});
+      lines_[axis].push_back({scan_count_, time, own.p_earth[axis], sigma, weight});
     }
   }
   ++scan_count_;
+  if (clutter != nullptr) price(*clutter);
+}
+
+void HoughWindow::take_newest(const core::PosedScan& scan, const LocalClutter* clutter) {
+  const int index = static_cast<int>(scans_.size());
+  if (clutter == nullptr) {
+    scan_to_detections(scan, index, newest_);
+    return;
+  }
+  newest_.assign(clutter->detections().begin(), clutter->detections().end());
+  for (auto& detection : newest_) detection.scan = index;
+}
+
+// Of all scans of the window the map knows more by now.
+void HoughWindow::price(const LocalClutter& clutter) {
+  for (std::size_t s = 0; s < scans_.size(); ++s) {
+    const auto background = clutter.backgrounds(static_cast<int>(scans_.size() - 1 - s));
+    if (background.size() != static_cast<std::size_t>(scans_[s].num_detections)) continue;
+    for (std::size_t j = 0; j < background.size(); ++j)
+      detections_[static_cast<std::size_t>(scans_[s].first_detection) + j].background = background[j];
+  }
 }
 
 void HoughWindow::forget_oldest() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/detection.hpp"
 #include "core/sonar_params.hpp"
 #include "core/sonar_scan.hpp"
+#include "csht/likelihood/clutter/local_clutter.hpp"
 #include "csht/line_sample.hpp"
 
 namespace lookout::csht {
@@ -31,6 +33,7 @@ struct WindowDetection {
   Eigen::Vector2d line_of_sight{1, 0};  ///< Unit vector from the sonar, north and east.
   double range_variance = 1.0;          ///< Along the line of sight [m^2].
   double cross_variance = 1.0;          ///< Across it [m^2].
+  double background = 1.0;              ///< See LocalClutter::backgrounds.
 
   /// Squared distance of the earth-frame offset to the detection, in units of the error plus `slack` [m].
   double distance(const Eigen::Vector2d& offset, double slack = 0.0) const {
@@ -41,6 +44,11 @@ struct WindowDetection {
   }
 };
 
+/// ln of `background`: what the density of false returns adds to the log likelihood ratio of a target's own.
+inline double log_background(const WindowDetection& detection) {
+  return detection.background < 1.0 ? std::log(detection.background) : 0.0;
+}
+
 /// The latest W posed scans as detections in the earth frame with their accuracy. [Yan2018] Eq. (10).
 /// Memory is kept: a warm window allocates nothing.
 class HoughWindow {
@@ -49,8 +57,10 @@ class HoughWindow {
   /// @param cross_floor standard deviation added across the line of sight [m], >= 0.
   HoughWindow(int window_scans, const core::SonarParams& sonar, double cross_floor);
 
-  /// Takes the next scan, and forgets the oldest where the window is full.
-  void add(const core::PosedScan& scan);
+  /// Takes the next scan, and forgets the oldest where the window is full. @param clutter has taken the scan,
+  /// and those of the window before it, too: it says which returns are one echo and what each is worth. Null:
+  /// all count alike.
+  void add(const core::PosedScan& scan, const LocalClutter* clutter = nullptr);
 
   /// Whether the next scan pushes the oldest out.
   bool full() const { return static_cast<int>(scans_.size()) == window_scans_; }
@@ -68,6 +78,8 @@ class HoughWindow {
 
  private:
   void forget_oldest();
+  void take_newest(const core::PosedScan& scan, const LocalClutter* clutter);
+  void price(const LocalClutter& clutter);
   WindowDetection with_accuracy(const core::Detection& detection, double time) const;
 
   int window_scans_;

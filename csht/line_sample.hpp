@@ -12,6 +12,7 @@ struct LineSample {
   double time = 0.0;      ///< [s].
   double position = 0.0;  ///< [m].
   double sigma = 1.0;     ///< Standard deviation of `position` [m].
+  double weight = 1.0;    ///< Of its vote, in [0, 1]: less where false returns are dense.
 };
 
 /// A line at a reference time of the caller's choice.

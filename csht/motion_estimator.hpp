@@ -12,6 +12,7 @@
 namespace lookout::csht {
 
 class JointScene;
+class LocalClutter;
 
 /// What a tracker knows before the estimator looks at the next scan. Valid until the tracker is updated.
 struct Explained {
@@ -19,6 +20,9 @@ struct Explained {
   /// The tracker's own table of scans with the next scan in it, and what its tracks explain of them; null
   /// from trackers that keep none.
   JointScene* scene = nullptr;
+  /// What the tracker has learnt of the density of false returns, the next scan priced in it; null: they are
+  /// taken for uniform.
+  const LocalClutter* clutter = nullptr;
 };
 
 /// The front door of every estimator: one scan in, the motion elements at that scan out.

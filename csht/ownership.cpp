@@ -10,7 +10,8 @@ Ownership::Ownership(const RefitParams& refit, const CountDecisionParams& decisi
 void Ownership::start(const HoughWindow& window, double epoch) {
   epoch_ = epoch;
   free_.assign(window.detections().size(), 1);
-  num_free_ = static_cast<int>(free_.size());
+  num_free_ = 0.0;
+  for (const auto& detection : window.detections()) num_free_ += detection.background;
   best_support_ = 0;
   accepted_.clear();
   decision_.prepare(window);
@@ -26,7 +27,7 @@ int Ownership::accept(std::vector<Candidate>& candidates, const HoughWindow& win
     accepted_.push_back(*winner);
     accepted_.back().offered = !decision_.accepts_as_new(*winner, best_support_);
     best_support_ = std::max(best_support_, winner->support);
-    take_detections(accepted_.back());
+    take_detections(accepted_.back(), window);
     refit_touched(candidates, window);
     ++count;
   }
@@ -50,11 +51,12 @@ const Candidate* Ownership::best(const std::vector<Candidate>& candidates) const
   return winner;
 }
 
-void Ownership::take_detections(const Candidate& candidate) {
+void Ownership::take_detections(const Candidate& candidate, const HoughWindow& window) {
   for (const int detection : candidate.own) {
-    if (detection >= 0) free_[static_cast<std::size_t>(detection)] = 0;
+    if (detection < 0) continue;
+    free_[static_cast<std::size_t>(detection)] = 0;
+    num_free_ -= window.detections()[static_cast<std::size_t>(detection)].background;
   }
-  num_free_ -= candidate.support;
 }
 
 void Ownership::refit_touched(std::vector<Candidate>& candidates, const HoughWindow& window) {

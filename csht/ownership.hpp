@@ -34,13 +34,13 @@ class Ownership {
   void score_all(std::vector<Candidate>& candidates, const HoughWindow& window) const;
   /// The acceptable candidate with the most evidence; null where there is none.
   const Candidate* best(const std::vector<Candidate>& candidates) const;
-  void take_detections(const Candidate& candidate);
+  void take_detections(const Candidate& candidate, const HoughWindow& window);
   void refit_touched(std::vector<Candidate>& candidates, const HoughWindow& window);
 
   Refit refit_;
   CountDecision decision_;
   double epoch_ = 0.0;
-  int num_free_ = 0;
+  double num_free_ = 0.0;  ///< Free detections, each as much as the background makes of it.
   int best_support_ = 0;
   std::vector<char> free_;
   std::vector<Candidate> accepted_;

@@ -38,7 +38,8 @@ void Refit::choose_detections(Candidate& candidate, const HoughWindow& window, d
     for (int k = scan.first_detection; k < scan.first_detection + scan.num_detections; ++k) {
       const auto index = static_cast<std::size_t>(k);
       if (!free[index]) continue;
-      const double distance = detections[index].distance(detections[index].p_earth - p_earth, slack);
+      const double distance = detections[index].distance(detections[index].p_earth - p_earth, slack) -
+                              2.0 * log_background(detections[index]);
       if (distance >= nearest) continue;
       nearest = distance;
       candidate.own[s] = k;

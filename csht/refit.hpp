@@ -20,7 +20,7 @@ struct RefitParams {
 };
 
 /// Least squares in (north, east, north velocity, east velocity) on a candidate's own detections: the nearest
-/// free one of each scan, in units of its range and bearing error.
+/// free one of each scan, in units of its range and bearing error, farther where false returns are dense.
 class Refit {
  public:
   /// @throws std::invalid_argument on a parameter out of range.

@@ -31,6 +31,7 @@ int scan_to_detections(const core::PosedScan& posed, int scan_index,
     detection.beam = nearest_beam(scan, sonar_return.bearing);
     detection.range = sonar_return.range;
     detection.bearing = sonar_return.bearing;
+    detection.intensity = sonar_return.intensity;
     detection.azimuth = core::wrap_to_pi(posed.T_earth_sonar.heading + sonar_return.bearing);
     detection.p_earth =
         core::transform(posed.T_earth_sonar, core::from_polar(sonar_return.range, sonar_return.bearing));

@@ -11,7 +11,7 @@ import sys
 KEYS_OF_RESULTS = ("metric", "mean", "ci95", "runs", "paper")
 DOWN, ACROSS = "p_miss", "p_false_alarm"
 LETTERS = {"p_miss": "P_M", "p_false_alarm": "P_F", "sigma": "σ"}
-MACHINE_FIGURES = ("time_ms", "update_ms")  # these depend on the machine, so nothing compares them
+MACHINE_FIGURES = ("time_ms", "time_ms_median", "time_ms_p99", "share_of_real_time", "update_ms")  # these depend on the machine, so nothing compares them
 
 
 class InputError(Exception):

@@ -2,7 +2,6 @@
 
 #include "core/field_of_view.hpp"
 #include "core/parameter_check.hpp"
-#include "csht/scan_to_detections.hpp"
 #include "tracking/association/gating.hpp"
 #include "tracking/initiation/proposed_births.hpp"
 
@@ -14,6 +13,7 @@ CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParam
       sonar_(sonar),
       book_(params.life),
       births_(std::move(births)),
+      clutter_(params.clutter, sonar),
       element_association_(params.element_gate),
       detection_association_(chi_square_gate(params.gate_probability, 2)),
       manoeuvre_(params.manoeuvre),
@@ -22,15 +22,20 @@ CshtTracker::CshtTracker(const CshtTrackerParams& params, const core::SonarParam
   core::require_probability("min_existence", params.min_existence);
 }
 
+csht::Explained CshtTracker::take(const core::PosedScan& scan) {
+  clutter_.take(scan);
+  return {book_.tracks(), nullptr, clutter_.enabled() ? &clutter_ : nullptr};
+}
+
 std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan,
                                                  std::span<const core::MotionElement> elements) {
   const core::SonarParams sonar = core::with_geometry_of(scan.scan, sonar_);
-  csht::scan_to_detections(scan, 0, detections_);
   book_.predict_to(scan.scan.utime, params_.motion);
   elements_ = elements;
   associate(sonar);
   smooth(sonar);
-  book_.step(scan, sonar, supported_);
+  clutter_.learn(takers_);
+  book_.step(scan, sonar, support_);
   if (births_ != nullptr)
     begin_on_proposals(*births_, scan, sonar, book_);
   else
@@ -41,26 +46,31 @@ std::span<const core::Track> CshtTracker::update(const core::PosedScan& scan,
 void CshtTracker::associate(const core::SonarParams& sonar) {
   const auto tracks = book_.tracks();
   element_of_track_ = element_association_.assign(tracks, elements_);
-  supported_.clear();
+  support_.clear();
   explained_.assign(elements_.size(), 0);
   for (const int element : element_of_track_) {
-    supported_.push_back(element >= 0);
+    support_.push_back(element >= 0 ? 1.0 : 0.0);
     if (element >= 0) explained_[static_cast<std::size_t>(element)] = 1;
   }
   use_track_.assign(tracks.size(), 1);
-  use_detection_.assign(detections_.size(), 1);
-  detection_association_.assign({tracks, detections_, use_track_, use_detection_}, sonar);
+  use_detection_.assign(clutter_.detections().size(), 1);
+  detection_association_.assign({tracks, clutter_.detections(), use_track_, use_detection_, clutter_.worth()},
+                                sonar);
 }
 
 void CshtTracker::smooth(const core::SonarParams& sonar) {
   const auto tracks = book_.tracks();
   const auto& detection_of_track = detection_association_.result();
+  takers_.assign(clutter_.detections().size(), {});
   for (std::size_t i = 0; i < tracks.size(); ++i) {
-    const int detection = detection_of_track[i];
     const int element = element_of_track_[i];
-    if (detection >= 0) watch(i, detections_[static_cast<std::size_t>(detection)], sonar);
-    smoother_.correct(tracks[i], book_.life(i).age(),
-                      detection < 0 ? nullptr : &detections_[static_cast<std::size_t>(detection)],
+    const core::Detection* own = nullptr;
+    if (const int chosen = detection_of_track[i]; chosen >= 0) {
+      own = &clutter_.detections()[static_cast<std::size_t>(chosen)];
+      takers_[static_cast<std::size_t>(chosen)] = {tracks[i].id, element >= 0};
+      watch(i, *own, sonar);
+    }
+    smoother_.correct(tracks[i], book_.life(i).age(), own,
                       element < 0 ? nullptr : &elements_[static_cast<std::size_t>(element)], sonar);
     if (element >= 0) tracks[i].existence = elements_[static_cast<std::size_t>(element)].existence;
   }

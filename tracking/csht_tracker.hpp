@@ -5,6 +5,7 @@
 
 #include "core/detection.hpp"
 #include "core/sonar_params.hpp"
+#include "csht/likelihood/clutter/local_clutter.hpp"
 #include "csht/motion_estimator.hpp"
 #include "tracking/association/global_nearest_neighbour.hpp"
 #include "tracking/association/track_to_element.hpp"
@@ -23,8 +24,9 @@ struct CshtTrackerParams {
   MotionModelParams motion{.acceleration_sigma = 0.005};  ///< Almost straight: `manoeuvre` sees to the rest.
   ManoeuvreParams manoeuvre;                              ///< See there.
   WindowSmootherParams smoother;                          ///< See there.
-  TrackLifeParams life;        ///< Confirmed at once; at most min(5, 1 + .2 hits) misses.
-  double min_existence = 0.5;  ///< Elements below it begin no track, in [0, 1].
+  TrackLifeParams life;              ///< Confirmed at once; at most min(5, 1 + .2 hits) misses.
+  double min_existence = 0.5;        ///< Elements below it begin no track, in [0, 1].
+  csht::LocalClutterParams clutter;  ///< Where false returns are dense; see there.
 };
 
 /// Tracking by motion elements, [Yan2018] Sec. IV and Fig. 6: scan -> estimator on the sliding window, with
@@ -37,10 +39,12 @@ class CshtTracker : public Tracker {
   CshtTracker(const CshtTrackerParams& params, const core::SonarParams& sonar,
               std::unique_ptr<BirthMethod> births = nullptr);
 
-  /// The known tracks, as extra candidates of the estimator.
-  csht::Explained take(const core::PosedScan& /*scan*/) override { return {book_.tracks()}; }
+  /// The known tracks, as extra candidates of the estimator, and the density of false returns.
+  csht::Explained take(const core::PosedScan& scan) override;
   std::span<const core::Track> update(const core::PosedScan& scan,
                                       std::span<const core::MotionElement> elements) override;
+  bool learns_clutter() const override { return clutter_.enabled(); }
+  std::optional<core::ClutterGrid> clutter_grid() const override { return clutter_.grid(); }
   bool explains() const override { return true; }
   void explain_to(const DecisionLog& log) override { book_.explain_to(log); }
   std::int64_t next_id() const override { return book_.next_id(); }
@@ -57,11 +61,13 @@ class CshtTracker : public Tracker {
   TrackBook book_;
   std::unique_ptr<BirthMethod> births_;
   std::span<const core::MotionElement> elements_;
-  std::vector<core::Detection> detections_;
+  csht::LocalClutter clutter_;
   TrackToElement element_association_;
   GlobalNearestNeighbour detection_association_;
   std::vector<int> element_of_track_;
-  std::vector<char> use_track_, use_detection_, supported_, explained_;
+  std::vector<char> use_track_, use_detection_, explained_;
+  std::vector<double> support_;
+  std::vector<csht::Taker> takers_;
   ManoeuvreDetector manoeuvre_;
   WindowSmoother smoother_;
 };

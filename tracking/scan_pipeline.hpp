@@ -33,6 +33,7 @@ class ScanPipeline {
   std::span<const core::Track> retrodict(std::int64_t utime);
   bool can_retrodict() const { return tracker_->can_retrodict(); }  ///< See Tracker.
 
+  bool learns_clutter() const { return tracker_->learns_clutter(); }  ///< See Tracker.
   std::optional<core::ClutterGrid> clutter_grid() const;  ///< See Tracker, with the time of the scan.
   void explain_to(const DecisionLog& log);  ///< See Tracker::explain_to; times are those of the scans.
   void stop_when(const std::function<bool()>& stopped) { tracker_->stop_when(stopped); }  ///< See Tracker.

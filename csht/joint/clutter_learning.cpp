@@ -8,6 +8,7 @@
 
 #include "csht/joint/density/lived_odds.hpp"
 #include "csht/likelihood/clutter/clutter_grid.hpp"
+#include "csht/likelihood/clutter/echo_prices.hpp"
 #include "csht/likelihood/sensor_units.hpp"
 
 namespace lookout::csht {
@@ -31,20 +32,32 @@ double log_volume(const CloudMoments& moments) {
          2.0 * std::log(2.0 * std::numbers::pi);
 }
 
+// Whether a scan of that age is priced anew: after `every` scans each time, later after a quarter to a half
+// of its age, for the more scans judge a place the less one more changes.
+bool is_due(int age, int every) {
+  int step = every;
+  while (4 * step <= age) step *= 2;
+  return age % step == 0;
+}
+
 }  // namespace
 
 ClutterLearning::ClutterLearning(const ClutterLearningParams& params, const core::SonarParams& sonar)
     : params_(params),
       sonar_(sonar),
-      sensors_{{ClutterMap(params.map, sonar), SpillModel(params.spill)}},
       sure_age_s_(params.sure_age * unit_of_time(sonar)),
-      max_speed_(sonar.max_speed) {}
+      max_speed_(sonar.max_speed) {
+  sensors_.push_back(blank_sensor());
+}
+
+ClutterLearning::Sensor ClutterLearning::blank_sensor() const {
+  return {ClutterMap(params_.map, sonar_), SpillModel(params_.spill), IntensityLaw(params_.intensity)};
+}
 
 // What was learnt of the sonar that made this scan, the newest.
 ClutterLearning::Sensor& ClutterLearning::sensor_of(const ScanTable& newest) {
   newest_ = static_cast<std::size_t>(newest.sensor);
-  while (sensors_.size() <= newest_)
-    sensors_.push_back({ClutterMap(params_.map, sonar_), SpillModel(params_.spill)});
+  while (sensors_.size() <= newest_) sensors_.push_back(blank_sensor());
   return sensors_[newest_];
 }
 
@@ -52,28 +65,22 @@ void ClutterLearning::price_newest(ScanLikelihood& likelihood) {
   if (!params_.map.enabled) return;
   const ScanTable& newest = likelihood.scans().newest();
   Sensor& sensor = sensor_of(newest);
-  if (background_.empty()) reserve(newest, likelihood.scans().capacity());
-  background_[0].resize(newest.background.size());
+  if (prices_.empty()) reserve(newest, likelihood.scans().capacity());
   const double rate = background_rate(likelihood);
-  std::vector<float>& background = background_[0];
-  // Neighbours are first taken for one echo, and priced at its place: by their own places the trail of an
-  // echo that spills would pass for dense clutter.
-  background.assign(background.size(), 1.0F);
-  const bool spilt = sensor.spill.active();
-  likelihood.group(0, sensor.spill, background);
-  sensor.map.price(newest, rate, background);
-  sensor.spill.learn(newest, likelihood.scans().figures().false_alarm_probability, background);
-  if (spilt || sensor.spill.active()) {
-    likelihood.group(0, sensor.spill, background);
-    sensor.map.price(newest, rate, background);
+  Prices& prices = prices_of(0, likelihood.scans());
+  std::vector<float>& background = prices.background;
+  const auto group_newest = [&] { likelihood.group(0, sensor.spill, background); };
+  const double false_alarm = likelihood.scans().figures().false_alarm_probability;
+  if (price_echoes(newest, {rate, false_alarm}, sensor.map, sensor.spill, group_newest, background))
     group(0, likelihood);
-  }
-  likelihood.set_background(0, background_[0]);
+  likelihood.set_background(0, background);
+  sensor.intensity.rate(newest, background, prices.loudness);
+  if (sensor.intensity.known()) likelihood.set_loudness(0, prices.loudness);
 }
 
 // Returns that one echo may have made count once.
 void ClutterLearning::group(int age, ScanLikelihood& likelihood) {
-  std::vector<float>& background = background_[static_cast<std::size_t>(age)];
+  std::vector<float>& background = prices_of(age, likelihood.scans()).background;
   likelihood.group(age, sensors_[newest_].spill, background);
   const ScanTable& scan = likelihood.scans().at_age(age);
   if (scan.clutter == ClutterModel::point) return;
@@ -87,9 +94,11 @@ std::optional<core::ClutterGrid> ClutterLearning::grid(const ScanLikelihood& lik
 }
 
 void ClutterLearning::reserve(const ScanTable& scan, int scans) {
-  background_.assign(static_cast<std::size_t>(scans), std::vector<float>(scan.background.size()));
+  const std::vector<float> none(scan.background.size());
+  prices_.assign(static_cast<std::size_t>(scans), {none, none});
   changed_.reserve(static_cast<std::size_t>(scans));
   own_.reserve(static_cast<std::size_t>(params_.map.most_returns));
+  likely_.reserve(own_.capacity());
 }
 
 void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
@@ -101,9 +110,23 @@ void ClutterLearning::learn(std::span<TargetTrack> tracks, ScanLikelihood& likel
   Sensor& sensor = sensor_of(scans.newest());
   sensor.map.learn(scans.newest(), own_, background_rate(likelihood));
   sensor.map.add(scans.newest());
-  if (++sensor.scans % params_.judge_every != 0) return;
+  learn_intensities(tracks, likelihood);
+  ++sensor.scans;
+  price_anew(likelihood);
+  if (sensor.scans % params_.judge_every != 0) return;
   discount_movers(tracks, likelihood);
   judge_anew(tracks, likelihood, stopped);
+}
+
+// After `own_returns` of the newest scan by all likely tracks.
+void ClutterLearning::learn_intensities(std::span<const TargetTrack> tracks,
+                                        const ScanLikelihood& likelihood) {
+  const ScanTable& newest = likelihood.scans().newest();
+  if (!params_.intensity.enabled) return;
+  if (!mark(tracks, [&](const TargetTrack& track) { return is_no_clutter(track, newest.utime); })) return;
+  likely_.swap(own_);
+  own_returns(0, likelihood);
+  sensors_[newest_].intensity.take(newest, own_, likely_);
 }
 
 // Marks the tracks that `holds` is true of. @return whether there is one.
@@ -146,7 +169,7 @@ bool ClutterLearning::is_no_clutter(const TargetTrack& track, std::int64_t now) 
 
 void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
                                  const std::function<bool()>& stopped) {
-  price_anew(likelihood);
+  find_changes(likelihood.scans());
   if (changed_.empty()) return;
   gains_.resize(std::max(gains_.size(), tracks.size()));
   const ScanHistory& scans = likelihood.scans();
@@ -160,28 +183,49 @@ void ClutterLearning::judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& 
       if (tracks[slot].used) add_gains(after, tracks[slot], static_cast<int>(slot), likelihood);
     }
     if (after) break;
-    for (const int age : changed_) likelihood.set_background(age, background_[static_cast<std::size_t>(age)]);
+    for (const int age : changed_) {
+      const Prices& prices = prices_of(age, likelihood.scans());
+      likelihood.set_background(age, prices.background);
+      likelihood.set_loudness(age, prices.loudness);
+    }
   }
   for (std::size_t slot = 0; slot < tracks.size(); ++slot)
     if (tracks[slot].used) take_change(static_cast<int>(slot), tracks[slot]);
 }
 
-// Sets the new prices of the scans in memory and notes the ages where they differ from those that hold.
+ClutterLearning::Prices& ClutterLearning::prices_of(int age, const ScanHistory& scans) {
+  return prices_[static_cast<std::size_t>(scans.pushed() - 1 - age) % prices_.size()];
+}
+
+// Finds the new prices of those scans in memory that are due, a few at each scan.
 void ClutterLearning::price_anew(ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
   const double rate = background_rate(likelihood);
+  const Sensor& sensor = sensors_[newest_];
+  for (int age = 1; age < scans.size(); ++age) {
+    const ScanTable& scan = scans.at_age(age);
+    if (scan.sensor != scans.newest().sensor || !is_due(age, params_.judge_every)) continue;
+    Prices& prices = prices_of(age, scans);
+    prices.background.resize(scan.background.size());
+    sensors_[newest_].map.price(scan, rate, prices.background);
+    group(age, likelihood);
+    sensor.intensity.rate(scan, prices.background, prices.loudness);
+  }
+}
+
+// Notes the ages whose prices differ from those that hold.
+void ClutterLearning::find_changes(const ScanHistory& scans) {
+  const auto same = [&](float one, float other) {
+    return std::abs(one - other) <= static_cast<float>(params_.least_change) * other;
+  };
   changed_.clear();
   for (int age = 0; age < scans.size(); ++age) {
-    if (scans.at_age(age).sensor != scans.newest().sensor) continue;
-    const std::vector<float>& before = scans.at_age(age).background;
-    std::vector<float>& now = background_[static_cast<std::size_t>(age)];
-    now.resize(before.size());
-    sensors_[newest_].map.price(scans.at_age(age), rate, now);
-    group(age, likelihood);
-    const auto differs = [&](float one, float other) {
-      return std::abs(one - other) > static_cast<float>(params_.least_change) * other;
-    };
-    if (!std::equal(now.begin(), now.end(), before.begin(), std::not_fn(differs))) changed_.push_back(age);
+    const ScanTable& scan = scans.at_age(age);
+    if (scan.sensor != scans.newest().sensor) continue;
+    const Prices& now = prices_of(age, scans);
+    if (!std::equal(now.background.begin(), now.background.end(), scan.background.begin(), same) ||
+        !std::equal(now.loudness.begin(), now.loudness.end(), scan.loudness.begin(), same))
+      changed_.push_back(age);
   }
 }
 

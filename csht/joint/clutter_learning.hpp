@@ -13,12 +13,13 @@
 #include "csht/joint/density/target_track.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
 #include "csht/likelihood/clutter/clutter_map.hpp"
+#include "csht/likelihood/intensity_law.hpp"
 
 namespace lookout::csht {
 
-/// Keeps the density of false returns, and with it the likelihood of all scans in memory: prices each new
-/// scan, counts its returns but for those of sure, moving targets, and lets the odds of the tracks follow
-/// when the past is judged anew. docs/clutter_map.md.
+/// Keeps the density of false returns and the law of intensities, and with them the likelihood of all scans
+/// in memory: prices each new scan, counts its returns but for those of sure, moving targets, and lets the
+/// odds of the tracks follow when the past is judged anew. docs/clutter_map.md.
 class ClutterLearning {
  public:
   /// @param params validated.
@@ -47,9 +48,15 @@ class ClutterLearning {
   struct Sensor {  // What is learnt of one sonar.
     ClutterMap map;
     SpillModel spill;
+    IntensityLaw intensity;
     std::int64_t scans = 0;  // Taken in.
   };
 
+  struct Prices {  // Of the returns of a scan, laid out as those of ScanTable.
+    std::vector<float> background, loudness;
+  };
+
+  Sensor blank_sensor() const;
   Sensor& sensor_of(const ScanTable& newest);
   void group(int age, ScanLikelihood& likelihood);
   void reserve(const ScanTable& scan, int scans);
@@ -57,10 +64,13 @@ class ClutterLearning {
   bool mark(std::span<const TargetTrack> tracks, const Condition& holds);
   void discount_movers(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
   void own_returns(int age, const ScanLikelihood& likelihood);
+  void learn_intensities(std::span<const TargetTrack> tracks, const ScanLikelihood& likelihood);
   bool is_no_clutter(const TargetTrack& track, std::int64_t now) const;
   void judge_anew(std::span<TargetTrack> tracks, ScanLikelihood& likelihood,
                   const std::function<bool()>& stopped);
+  Prices& prices_of(int age, const ScanHistory& scans);
   void price_anew(ScanLikelihood& likelihood);
+  void find_changes(const ScanHistory& scans);
   void add_gains(bool anew, TargetTrack& track, int slot, ScanLikelihood& likelihood);
   void take_change(int slot, TargetTrack& track) const;
 
@@ -70,11 +80,11 @@ class ClutterLearning {
   std::size_t newest_ = 0;       ///< Number of the newest scan's.
   double sure_age_s_, max_speed_;
   double mean_life_s_ = std::numeric_limits<double>::infinity();
-  std::vector<std::vector<float>> background_;             ///< New prices by age,
-  std::vector<int> changed_;                               ///< and the ages where they differ.
+  std::vector<Prices> prices_;  ///< The latest of each scan in memory,
+  std::vector<int> changed_;    ///< and the ages where they differ from those that hold.
   std::vector<std::array<std::vector<double>, 2>> gains_;  ///< Of each track by age: before, and anew [nats].
   std::vector<double> survival_;                           ///< By age, from the scan before, see lived_odds.
-  std::vector<double> own_, ratio_;
+  std::vector<double> own_, likely_, ratio_;
   std::vector<char> marked_;
 };
 

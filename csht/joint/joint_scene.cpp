@@ -23,6 +23,7 @@ JointScene::JointScene(const JointEngineParams& params, const core::SonarParams&
                        const DrawSource& source)
     : prior(params.prior, sonar.max_speed, sonar.scan_period),
       random(source.seed, source.stream),
+      wander(sonar),
       likelihood(figures_of(sonar), model_of(params, sonar), params.tolerance, capacity_of(params, sonar),
                  params.hypotheses.max_tracks, prior),
       sampler(params.cloud, prior, random),
@@ -35,6 +36,7 @@ JointScene::JointScene(const JointEngineParams& params, const core::SonarParams&
       looks_anew_(params.scans_kept.has_value()),
       max_tracks_(static_cast<std::size_t>(params.hypotheses.max_tracks)) {
   likelihood.set_figures(learning().figures());
+  likelihood.set_wander(wander);
   const auto largest = static_cast<std::size_t>(params.cloud.trajectories);
   fresh.reserve(largest);
   tracks.reserve(max_tracks_);

@@ -10,6 +10,7 @@
 #include "csht/joint/clutter_learning.hpp"
 #include "csht/joint/density/engine_params.hpp"
 #include "csht/joint/density/target_track.hpp"
+#include "csht/joint/density/wander.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
 #include "csht/joint/evidence/trajectory_sampler.hpp"
 #include "csht/joint/evidence/undetected_targets.hpp"
@@ -34,6 +35,7 @@ class JointScene {
 
   TargetPrior prior;                ///< What is believed of targets before anything is seen.
   core::Random random;              ///< Seeded anew by every scan.
+  Wander wander;                    ///< How targets stray.
   ScanLikelihood likelihood;        ///< The scans in memory, and who claims what of them.
   TrajectorySampler sampler;        ///< Draws densities of trajectories under that likelihood.
   UndetectedTargets undetected;     ///< How many targets no track stands for.
@@ -48,6 +50,7 @@ class JointScene {
 
   /// What is learnt of the figures of the newest scan's sonar, from the same scans.
   const SensorLearning& learning() const { return learnings_[newest_sensor_]; }
+  SensorLearning& learning() { return learnings_[newest_sensor_]; }  ///< The same.
   const SensorLooks& looks() const { return looks_; }  ///< Which sonars look, and when each did last.
 
   void learn();  ///< The sensor's figures and the density of false returns, from the newest scan.

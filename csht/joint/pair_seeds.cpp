@@ -40,7 +40,8 @@ struct NearReturn {
   int claim_index = 0;                // Beam, or index of the detection.
   double range = 0.0, azimuth = 0.0;  // [m], [rad].
   double membership = 0.0;            // Probability that it is, against clutter.
-  double background = 1.0;            // See ScanTable.
+  double background = 1.0;            // See ScanTable,
+  double worth = 1.0;                 // and likewise.
   double bearing_sigma = 0.0;         // Of the return [rad].
 };
 
@@ -56,7 +57,7 @@ void take_near(const ScanTable& scan, const SensorFigures& figures, const SeenAt
   const double db = core::wrap_to_pi(one.azimuth - target.azimuth) / one.bearing_sigma;
   const double square = dr * dr + db * db;
   if (square > kMembershipGate) return;
-  const double own = static_cast<double>(scan.gain) * one.background * std::exp(-0.5 * square);
+  const double own = static_cast<double>(scan.gain) * one.worth * std::exp(-0.5 * square);
   one.membership = own / (1.0 + own);
   use(one);
 }
@@ -68,7 +69,8 @@ void for_each_near(const ScanTable& scan, const SensorFigures& figures, const Se
     for (std::size_t i = 0; i < scan.detections.size(); ++i)
       take_near(scan, figures, target,
                 {static_cast<int>(i), scan.detections[i].range, scan.detections[i].azimuth, 0.0,
-                 static_cast<double>(scan.background[i]), figures.bearing_sigma},
+                 static_cast<double>(scan.background[i]), static_cast<double>(scan.worth[i]),
+                 figures.bearing_sigma},
                 use);
     return;
   }
@@ -81,7 +83,8 @@ void for_each_near(const ScanTable& scan, const SensorFigures& figures, const Se
     if (scan.range[slot] > 0.0F)
       take_near(scan, figures, target,
                 {b, static_cast<double>(scan.range[slot]), scan.axis + scan.bearing_of_beams(b - middle), 0.0,
-                 static_cast<double>(scan.background[slot]), bearing_sigma_at(scan, b, figures)},
+                 static_cast<double>(scan.background[slot]), static_cast<double>(scan.worth[slot]),
+                 bearing_sigma_at(scan, b, figures)},
                 use);
   }
 }

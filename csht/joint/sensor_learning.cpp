@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "csht/joint/density/wander.hpp"
+
 namespace lookout::csht {
 
 void resample(const TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector4d>& samples) {
@@ -16,8 +18,39 @@ void resample(const TrajectoryCloud& cloud, int count, std::vector<Eigen::Vector
       samples.emplace_back(cloud.north[i], cloud.east[i], cloud.north_velocity[i], cloud.east_velocity[i]);
 }
 
+namespace {
+
+// Of targets that stray a trajectory holds for a while only: after half its memory a scan is settled.
+SensorFigureParams figure_params(const core::SonarParams& sonar) {
+  SensorFigureParams params;
+  const double memory = Wander(sonar).memory(figures_of(sonar), 0.0);
+  if (std::isfinite(memory))
+    params.settle_scans =
+        std::clamp(static_cast<int>(0.5 * memory / sonar.scan_period), 1, params.settle_scans);
+  return params;
+}
+
+}  // namespace
+
 SensorLearning::SensorLearning(const SensorLearningParams& params, const core::SonarParams& sonar)
-    : params_(params), max_speed_(sonar.max_speed), figures_({}, sonar) {}
+    : params_(params),
+      max_speed_(sonar.max_speed),
+      targets_stray_(Wander(sonar).active()),
+      given_(figures_of(sonar)),
+      figures_(figure_params(sonar), sonar),
+      used_(figures_.figures()) {}
+
+void SensorLearning::weigh_errors(const TrajectoryCloud& predicted, const BeamMask* mask,
+                                  const ScanTable& newest) {
+  if (targets_stray_) errors_.take(predicted, newest, mask, used_.range_sigma / given_.range_sigma);
+}
+
+void SensorLearning::choose_figures() {
+  used_ = figures_.figures();
+  if (!targets_stray_) return;
+  used_.range_sigma = errors_.factor() * given_.range_sigma;
+  used_.bearing_sigma = errors_.factor() * given_.bearing_sigma;
+}
 
 void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& likelihood) {
   const ScanHistory& scans = likelihood.scans();
@@ -34,7 +67,8 @@ void SensorLearning::learn(std::span<const TargetTrack> tracks, ScanLikelihood& 
     targets_.push_back({samples, track.existence(), std::min(since_first, track.recent.size())});
   }
   figures_.update(scans, targets_);
-  if (changed(scans.figures())) likelihood.set_figures(figures_.figures());
+  choose_figures();
+  if (changed(scans.figures())) likelihood.set_figures(used_);
 }
 
 bool SensorLearning::moves(const TargetTrack& track) const {
@@ -43,7 +77,7 @@ bool SensorLearning::moves(const TargetTrack& track) const {
 }
 
 bool SensorLearning::changed(const SensorFigures& before) const {
-  const SensorFigures& now = figures_.figures();
+  const SensorFigures& now = used_;
   const auto differ = [this](double a, double b) {
     return std::abs(a - b) > params_.least_change * std::min(a, b);
   };

@@ -6,6 +6,7 @@
 #include "core/sonar_params.hpp"
 #include "csht/joint/density/engine_params.hpp"
 #include "csht/joint/density/target_track.hpp"
+#include "csht/joint/evidence/error_scale.hpp"
 #include "csht/joint/evidence/scan_likelihood.hpp"
 #include "csht/likelihood/sensor_figure_estimator.hpp"
 
@@ -23,17 +24,27 @@ class SensorLearning {
   /// rewritten.
   void learn(std::span<const TargetTrack> tracks, ScanLikelihood& likelihood);
 
-  const SensorFigures& figures() const { return figures_.figures(); }  ///< To be used for the next scan.
+  /// Takes in how well a sure target's trajectories, predicted to the newest scan, foretell its returns;
+  /// where targets stray the errors are learnt by that, and not by what is left about trajectories that only
+  /// hold for a while.
+  void weigh_errors(const TrajectoryCloud& predicted, const BeamMask* mask, const ScanTable& newest);
+
+  const SensorFigures& figures() const { return used_; }  ///< To be used for the next scan.
   /// What the scans say of P_F, P_M and sigma, each with its standard error.
   core::SensorEstimate estimate() const { return figures_.estimate(); }
 
  private:
   bool moves(const TargetTrack& track) const;
+  void choose_figures();
   bool changed(const SensorFigures& before) const;
 
   SensorLearningParams params_;
   double max_speed_;  ///< Of targets [m/s].
+  bool targets_stray_;
+  SensorFigures given_;
   SensorFigureEstimator figures_;
+  ErrorScale errors_;
+  SensorFigures used_;
   std::vector<std::vector<Eigen::Vector4d>> samples_;
   std::vector<KnownTarget> targets_;
 };

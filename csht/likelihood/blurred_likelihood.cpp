@@ -87,7 +87,7 @@ void load(const ScanTable& scan, const BeamMask* mask, int offset, std::size_t c
     b.slot[i] = static_cast<int>(std::floor(b.beam[i])) + offset;
     const auto slot = static_cast<std::size_t>(slot_of(scan, b.slot[i]));
     b.lanes.range[i] = scan.range[slot];
-    b.lanes.gain[i] = b.gain * scan.background[slot] * b.heard[i];
+    b.lanes.gain[i] = b.gain * scan.worth[slot] * b.heard[i];
     b.lanes.base[i] = scan.base[slot] + scan.lost[slot] * b.lost[i];
     if constexpr (kMasked) {
       b.lanes.mask_range[i] = mask->range[slot];

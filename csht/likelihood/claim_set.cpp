@@ -12,7 +12,7 @@ double return_weight(const ScanTable& scan, double range, double bearing, std::s
   const double dr = (range - scan.detections[detection].range) * scan.inverse_sigma;
   const double db =
       core::wrap_to_pi(bearing - scan.bearing_from_axis[detection]) * scan.inverse_bearing_sigma;
-  const double gain = scan.gain * scan.background[detection] * std::exp(-0.5 * (dr * dr + db * db));
+  const double gain = scan.gain * scan.worth[detection] * std::exp(-0.5 * (dr * dr + db * db));
   return gain / (gain + scan.base[1]);
 }
 

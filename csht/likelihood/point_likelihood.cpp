@@ -118,7 +118,7 @@ void find_point_ratios(const ScanTable& scan, const BeamMask* mask, std::span<co
   for (std::size_t j = 0; j < scan.detections.size(); ++j) {
     if (!box.holds(static_cast<float>(scan.detections[j].range), scan.bearing_from_axis[j])) continue;
     const float free = mask == nullptr ? 1.0F : 1.0F - mask->share[j];
-    const float gain = shape.gain * scan.background[j] * free;
+    const float gain = shape.gain * scan.worth[j] * free;
     add_point(shape, gain, static_cast<float>(scan.detections[j].range), scan.bearing_from_axis[j], block);
   }
   if (mask != nullptr && scan.inverse_resolution > 0.0F) merge_points(scan, *mask, block);
@@ -137,7 +137,7 @@ double plain_point_ratio(const ScanTable& scan, const BeamMask* mask, double ran
     const double off = range - scan.detections[j].range;
     const double dr = off * scale * static_cast<double>(scan.inverse_sigma);
     const double db = turn * scale * static_cast<double>(scan.inverse_bearing_sigma);
-    ratio += (1.0 - share) * scale * scale * static_cast<double>(scan.gain * scan.background[j]) *
+    ratio += (1.0 - share) * scale * scale * static_cast<double>(scan.gain * scan.worth[j]) *
              std::exp(-0.5 * (dr * dr + db * db));
     if (scan.inverse_resolution <= 0.0F) continue;
     const double apart =

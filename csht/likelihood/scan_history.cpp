@@ -47,7 +47,8 @@ void ScanHistory::make_room(std::size_t returns, std::size_t slots) {
     table.group.reserve(widest_);
     table.echo_offset.reserve(widest_);
     table.share.reserve(widest_);
-    table.background.reserve(std::max(densest_, widest_));
+    for (std::vector<float>* of_return : {&table.background, &table.loudness, &table.worth})
+      of_return->reserve(std::max(densest_, widest_));
   }
 }
 
@@ -81,10 +82,17 @@ void ScanHistory::group(int age, const SpillModel& spill, std::span<const float>
   spill.group(background, table_at(age));
 }
 
-void ScanHistory::set_background(int age, const std::vector<float>& background) {
+void ScanHistory::set_background(int age, std::span<const float> background) {
   ScanTable& table = table_at(age);
   assert(background.size() == table.background.size());
   std::copy(background.begin(), background.end(), table.background.begin());
+  rewrite(table);
+}
+
+void ScanHistory::set_loudness(int age, std::span<const float> loudness) {
+  ScanTable& table = table_at(age);
+  assert(loudness.size() == table.loudness.size());
+  std::copy(loudness.begin(), loudness.end(), table.loudness.begin());
   rewrite(table);
 }
 

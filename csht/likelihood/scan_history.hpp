@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "csht/likelihood/empty_scans.hpp"
@@ -39,7 +40,8 @@ class ScanHistory {
   void group(int age, const SpillModel& spill, std::span<const float> background);
   /// Sets the background's share of each return of the scan of that age: laid out and sized as
   /// ScanTable::background.
-  void set_background(int age, const std::vector<float>& background);
+  void set_background(int age, std::span<const float> background);
+  void set_loudness(int age, std::span<const float> loudness);  ///< Likewise ScanTable::loudness.
 
   /// Turns the scan of that age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "csht/likelihood/blurred_likelihood.hpp"
@@ -111,7 +112,8 @@ void fill_slots(ScanTable& table) {
   table.group.assign(slots, std::int16_t{-1});
   table.share.assign(slots, 1.0F);
   table.echo_offset.assign(slots, 0.0F);
-  table.background.assign(std::max(slots, table.detections.size()), 1.0F);
+  for (std::vector<float>* of_return : {&table.background, &table.loudness, &table.worth})
+    of_return->assign(std::max(slots, table.detections.size()), 1.0F);
   table.bearing_from_axis.clear();
   for (const auto& detection : table.detections) {
     table.bearing_from_axis.push_back(static_cast<float>(core::wrap_to_pi(detection.azimuth - table.axis)));
@@ -149,7 +151,18 @@ int fill_scan_table(const core::PosedScan& posed, ScanTable& table) {
   return left_out;
 }
 
+std::optional<std::size_t> slot_of(const ScanTable& scan, std::size_t index) {
+  if (scan.clutter == ClutterModel::point) return index;
+  const core::Detection& detection = scan.detections[index];
+  if (detection.beam < 0 || detection.beam >= scan.num_beams) return std::nullopt;
+  const std::size_t slot = static_cast<std::size_t>(detection.beam) + 1;
+  if (scan.range[slot] != static_cast<float>(detection.range)) return std::nullopt;
+  return slot;
+}
+
 void set_figures(const SensorFigures& figures, const SensorModelParams& model, ScanTable& table) {
+  std::transform(table.background.begin(), table.background.end(), table.loudness.begin(),
+                 table.worth.begin(), std::multiplies<>());
   table.clutter = model.clutter;
   table.inverse_sigma = static_cast<float>(1.0 / figures.range_sigma);
   if (model.clutter == ClutterModel::point)
@@ -170,7 +183,7 @@ double peak_of(const ScanTable& table, std::size_t slot, double range, double si
   const double wide = offset / SensorFigures::kTailScale;
   const double peak = static_cast<double>(table.gain) * std::exp(-0.5 * offset * offset) +
                       static_cast<double>(table.tail_gain) * std::exp(-0.5 * wide * wide);
-  return peak / sigma_scale * static_cast<double>(table.background[slot]) *
+  return peak / sigma_scale * static_cast<double>(table.worth[slot]) *
          heard_share(static_cast<double>(table.range_loss), range);
 }
 

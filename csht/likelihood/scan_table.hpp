@@ -54,8 +54,12 @@ struct ScanTable {
   float tail_gain = 0.0F;
   float gain = 0.0F;  ///< Height of the return's peak above `base`, where clutter is uniform.
   /// Of each slot's return (point: of each detection): the uniform background's share of the density of false
-  /// returns there, in (0, 1]; the peak's height is `gain` times it. 1 where clutter is uniform.
+  /// returns there, in (0, 1]. 1 where clutter is uniform.
   std::vector<float> background;
+  /// Laid out likewise: density of its intensity among the returns of targets over that among false ones, >
+  /// 0; 1 where it tells nothing;
+  std::vector<float> loudness;
+  std::vector<float> worth;  ///< and what the peak's height is of `gain`: both factors' product.
   /// Of each slot's return: which group of returns that one echo may have made it is in, -1 for none,
   std::vector<std::int16_t> group;
   /// and the probability that it came by itself or is the echo's own; gain and background count by it.
@@ -102,6 +106,10 @@ struct ScanTable {
 /// one beam: the nearer is taken.
 /// @return how many returns were left out as impossible.
 int fill_scan_table(const core::PosedScan& scan, ScanTable& table);
+
+/// Where a scan keeps the return of a detection: of a sensor without beams its index. None for what is in no
+/// beam, or behind a nearer return of its beam. @param index of the detection.
+std::optional<std::size_t> slot_of(const ScanTable& scan, std::size_t index);
 
 /// Writes the figures into a filled table: the likelihood ratios of a return that fits the target, of one
 /// that does not, and of a silence.

@@ -56,7 +56,7 @@ Sighting sight_in_beam(const ScanTable& scan, double range, double bearing, cons
   const double own = peak_of(scan, slot, range);
   const double both = (1.0 - told.tail_share) * narrow + told.tail_share * wide;
   const double all = scan.gain + scan.tail_gain * SensorFigures::kTailScale;
-  const double either = all * scan.background[slot] * heard_share(scan.range_loss, range) * both;
+  const double either = all * scan.worth[slot] * heard_share(scan.range_loss, range) * both;
   // Where clutter is dense, a return that does not fit fills the place of one that was missed. Elsewhere it
   // is of something else, the trajectory or the model is wrong, and neither a detection nor a miss is learnt.
   const double filled =

@@ -120,7 +120,7 @@ inline __attribute__((always_inline)) void load_one(const ScanTable& scan, const
                                                     std::size_t i, const Block& b, SlotLanes& lanes) {
   const auto slot = static_cast<std::size_t>(std::clamp(slots, 0, scan.num_beams + 1));
   lanes.range[i] = scan.range[slot];
-  lanes.gain[i] = b.shape.gain * scan.background[slot] * (b.fades ? b.heard[i] : 1.0F);
+  lanes.gain[i] = b.shape.gain * scan.worth[slot] * (b.fades ? b.heard[i] : 1.0F);
   lanes.base[i] = b.loses ? scan.base[slot] + scan.lost[slot] * b.lost[i] : scan.base[slot];
   if constexpr (kMasked) {
     lanes.mask_range[i] = mask->range[slot];

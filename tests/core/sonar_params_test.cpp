@@ -46,6 +46,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   params.position_sigma = 0.5;
   params.latency = 1.25;
   params.resolution = 12.0;
+  params.wander = 0.14;
   SonarParams back;
   read_sonar_params(YamlMap::load_text(to_yaml(params), "t"), back);
   EXPECT_EQ(back.num_beams, params.num_beams);
@@ -57,6 +58,7 @@ TEST(SonarParams, YamlReadsBackToTheSameValues) {
   EXPECT_EQ(back.position_sigma, 0.5);
   EXPECT_EQ(back.latency, 1.25);
   EXPECT_EQ(back.resolution, 12.0);
+  EXPECT_EQ(back.wander, 0.14);
   EXPECT_FALSE(back.false_alarm_probability);
 }
 
@@ -82,6 +84,7 @@ TEST(SonarParams, RefusesWhatMakesNoSensor) {
   EXPECT_THROW(read("max_range: -5"), InputError);
   EXPECT_THROW(read("miss_probability: 1.2"), InputError);
   EXPECT_THROW(read("num_beams: 400"), InputError);
+  EXPECT_THROW(read("bearing_step_deg: 1e-308"), InputError);  // No number of beams is a float then.
   EXPECT_THROW(read("clutter_per_scan: 1\nfalse_alarm_probability: 0.1"), InputError);
   EXPECT_THROW(read("max_ragne: 5"), InputError);
 }

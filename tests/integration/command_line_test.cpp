@@ -59,10 +59,10 @@ TEST(CommandLine, BadUsageIsStatusTwoAndOneLine) {
         "plot /no/such",
         "fault",
         "fault /no/such",
-        "fault " LOOKOUT_SOURCE_DIR "/tools/scenarios/faults/scan_off.yaml --lcm-url memq://",
+        ("fault " LOOKOUT_SOURCE_DIR "/tools/scenarios/faults/scan_off.yaml --lcm-url memq://"),
         "doctor --channel-prefix a+b",
         "doctor --lcm-url nonsense",
-        "track --publish-clutter 5 --tracker gnn --lcm-url memq://",
+        "track --publish-clutter 5 --tracker jipda --lcm-url memq://",
         "track --publish-clutter 0 --lcm-url memq://",
         "track --state x --estimator h_pmht --lcm-url memq://"}) {
     const auto result = run_lookout(arguments);
@@ -154,8 +154,10 @@ TEST(RunCommand, CshtFollowsWhatAnInitiatorBegins) {
   const auto file = folder.write("light.yaml", scene);
   for (const std::string initiator : {"vct", "sequence_ht"}) {
     const auto config = folder.write("config.yaml", "tracker: {name: csht, initiator: " + initiator + "}\n");
-    const auto result =
-        run_lookout("run " + file + " --config " + config + " --seed 1001 --out " + folder.file(initiator));
+    std::string command = "run ";
+    command.append(file).append(" --config ").append(config).append(" --seed 1001 --out ");
+    command.append(folder.file(initiator));
+    const auto result = run_lookout(command);
     ASSERT_EQ(result.status, 0) << result.err;
     const auto summary = nlohmann::json::parse(text_of(folder.file(initiator + "/summary.json")));
     EXPECT_LT(summary["ospa"]["total"], 10.0) << initiator;

@@ -14,9 +14,9 @@ import tempfile
 BLOCK = re.compile(r"```\w*\n(.*?)```", re.DOTALL)
 FILE = re.compile(r"(?:#|//) file: (\S+)\n")
 # What a full journey takes and the test need not: long scenes, many runs, a whole table, packages from the network.
-SHORT_SCENE = (r"^duration: .*", "duration: 15.0")
+SHORT_SCENE = (r"^duration: .*", "duration: 10.0")
 SHORTER = [(r"--runs \d+", "--runs 2"), (r"--only p_miss=0.1", "--only p_miss=0.1 --only p_false_alarm=0.1 --only clutter=light"),
-           (r"begin_nats=8:14", "begin_nats=8:14:2"), (r"(lookout sim .*)", r"\1 --duration 4"),
+           (r"begin_nats=8:14", "begin_nats=8:14:6"), (r"(lookout sim .*)", r"\1 --duration 4"),
            (r"(tools/cluster) ", r"\1 --shards 3 "), (r"tools/setup .*", "true")]
 MOST_COMMANDS = 3
 MOST_SECONDS = 200

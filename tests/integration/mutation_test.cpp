@@ -154,11 +154,23 @@ tools::Options options_in(const std::string& folder, const std::string& input) {
   return options;
 }
 
+/// The rows of a file of a recording up to a time [s], and its header: it costs what it is long to track what
+/// is read.
+std::string rows_until(const std::string& csv, double seconds) {
+  std::istringstream lines(csv);
+  std::string text, line;
+  while (std::getline(lines, line))
+    if (text.empty() || std::strtod(line.c_str(), nullptr) <= seconds) text += line + "\n";
+  return text;
+}
+
 Format recording_format() {
+  constexpr double kLength = 7.0;  // Of thirty seconds; two scans more than the tracker takes to confirm.
   const std::string plain = kSource + "/tests/data/cases/csv_forms/crlf/";
   Format format;
-  for (const char* name : {"scans.csv", "vehicle.csv", "truth.csv", "sonar.yaml"})
-    format.files[name] = read(plain + name);
+  for (const char* name : {"scans.csv", "vehicle.csv", "truth.csv"})
+    format.files[name] = rows_until(read(plain + name), kLength);
+  format.files["sonar.yaml"] = read(plain + "sonar.yaml");
   format.damaged = {"scans.csv", "vehicle.csv", "truth.csv", "sonar.yaml"};
   format.command = [](const std::string& folder) { return tools::replay_command(options_in(folder, "")); };
   return format;
@@ -256,7 +268,8 @@ Format import_format(const std::string& name, const std::map<std::string, std::s
   format.command = [name, inputs](const std::string& folder) {
     tools::Options options;
     options.method = name;
-    for (const auto& input : inputs) options.inputs.push_back(folder + "/" + input);
+    for (const auto& input : inputs)
+      options.inputs.push_back((std::filesystem::path(folder) / input).string());
     options.out = folder + "/out";
     return tools::import_command(options);
   };
@@ -368,7 +381,7 @@ int test(const std::string& name, const Format& format, int mutations, unsigned 
 }  // namespace
 }  // namespace lookout::tests
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   using namespace lookout::tests;
   const std::map<std::string, Format (*)()> formats{{"recording", recording_format},
                                                     {"scene", scene_format},
@@ -384,4 +397,7 @@ int main(int argc, char** argv) {
   const int mutations = argc > 2 ? std::atoi(argv[2]) : 3000;
   const unsigned seed = argc > 3 ? static_cast<unsigned>(std::atoi(argv[3])) : 1;
   return test(argv[1], formats.at(argv[1])(), mutations, seed);
+} catch (const std::exception& error) {
+  std::cerr << error.what() << "\n";
+  return 2;
 }

@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <string>
 
+#include "tests/support/patch_sea.hpp"
 #include "tests/support/sonar_scene.hpp"
+#include "tracking/tracking_chain.hpp"
 
 namespace lookout::tracking {
 namespace {
@@ -32,6 +34,19 @@ class CshtTrackerTest : public testing::Test {
   CshtTracker tracker_{{}, {}};
   int scan_ = 0;
 };
+
+// The estimator counts by the tracker's map, too.
+TEST(CshtTracker, LearnsWhereFalseReturnsAreDense) {
+  const auto confirmed = [](bool enabled) {
+    ChainParams params;
+    params.tracker.name = "csht";
+    params.tracker.own["csht"]["clutter.map.enabled"] = enabled ? 1.0 : 0.0;
+    const auto pipeline = make_pipeline(params, {});
+    return confirmed_in_patch([&](const core::PosedScan& scan) { return pipeline->step(scan).tracks; });
+  };
+  EXPECT_GT(confirmed(false), 2.0);
+  EXPECT_LT(confirmed(true), 1.0);
+}
 
 TEST_F(CshtTrackerTest, ReportsANewElementAtOnce) {
   const auto tracks = step({element(50.0, 1.0)});

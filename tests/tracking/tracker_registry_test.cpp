@@ -63,6 +63,16 @@ TEST(TrackerRegistry, ParametersReachTheirTracker) {
   EXPECT_NE(make_tracker("kalman", gnn, {}, 1), nullptr);  // the other tracker's do not count
 }
 
+TEST(TrackerRegistry, OneKeyTurnsTheMapOffInEveryTrackerThatHasOne) {
+  for (const std::string name : {"joint", "csht", "kalman", "gnn"}) {
+    TrackerParams params;
+    EXPECT_TRUE(make_tracker(name, params, {}, 1)->learns_clutter()) << name;
+    read_tracker_params(core::YamlMap::load_text("{" + name + ": {clutter: {map: {enabled: false}}}}", "t"),
+                        params);
+    EXPECT_FALSE(make_tracker(name, params, {}, 1)->learns_clutter()) << name;
+  }
+}
+
 TEST(TrackerRegistry, EveryTrackerListsItsParameters) {
   for (const char* name : {"joint", "csht", "kalman", "gnn", "jipda", "gm_phd", "pmbm"})
     EXPECT_FALSE(own_parameters(name).list.all().empty()) << name;

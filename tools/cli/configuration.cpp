@@ -126,7 +126,7 @@ void refuse_idle_clutter_map(const Options& options, const Configuration& config
   const tracking::TrackerParams& tracker = configuration.tracker;
   if (!tracking::make_tracker(tracker.name, tracker, configuration.sensor, 1)->learns_clutter())
     throw core::InputError("--publish-clutter: has no effect on tracker " + tracker.name +
-                           ", which learns no clutter map; expected joint or none");
+                           ", which learns no clutter map; expected joint, csht, kalman or gnn");
 }
 
 void refuse_idle_explain(const Options& options, const Configuration& configuration) {

@@ -27,8 +27,8 @@ void declare_track(CLI::App& app, Options& options) {
   app.add_flag("--publish-estimates", options.publish_estimates, "Also publish LOCAL_ESTIMATE, for fusion");
   app.add_option(
       "--publish-clutter", options.clutter_every,
-      "Also publish CLUTTER_MAP, what is learnt of the clutter, every so many seconds of data; joint "
-      "alone (default: never)");
+      "Also publish CLUTTER_MAP, what is learnt of the clutter, every so many seconds of data; joint, "
+      "csht, kalman and gnn (default: never)");
   app.add_option("--node-id", options.node_id, "Of this vehicle, 1 or more")->capture_default_str();
   app.add_option("--state", options.state,
                  "File that keeps what is known, every two seconds: a restart goes on by it; scans alone");

@@ -46,7 +46,8 @@ void GlobalNearestNeighbour::find_gated_pairs_of(const Scene& scene, std::size_t
   bool has_row = false;
   for (std::size_t j = 0; j < scene.detections.size(); ++j) {
     if (!scene.use_detection[j]) continue;
-    const double distance = squared_distance(scene.detections[j].p_earth - position, spread + noise_[j]);
+    const double distance = squared_distance(scene.detections[j].p_earth - position, spread + noise_[j]) +
+                            (scene.worth.empty() ? 0.0 : scene.worth[j].penalty);
     if (distance >= gate_) continue;
     if (!has_row) track_of_row_.push_back(static_cast<int>(track));
     has_row = true;

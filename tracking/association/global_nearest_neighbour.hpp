@@ -7,12 +7,14 @@
 #include "core/detection.hpp"
 #include "core/sonar_params.hpp"
 #include "core/track.hpp"
+#include "csht/likelihood/clutter/local_clutter.hpp"
 #include "tracking/association/assignment.hpp"
 
 namespace lookout::tracking {
 
 /// Which detection, if any, belongs to which track: the one-to-one assignment of least total squared
-/// Mahalanobis distance, where a pair beyond the gate costs as much as leaving both alone.
+/// Mahalanobis distance, where a pair beyond the gate costs as much as leaving both alone. What a return's
+/// distance lacks in a place of dense false returns is added to it: -2 ln of a likelihood ratio.
 class GlobalNearestNeighbour {
  public:
   /// @param gate largest squared distance of a pair. @throws std::invalid_argument unless > 0.
@@ -24,6 +26,8 @@ class GlobalNearestNeighbour {
     std::span<const core::Detection> detections;  ///< Earth frame, of one scan.
     /// One entry a track and one a detection; 0 leaves it out.
     std::span<const char> use_track, use_detection;
+    /// One entry a detection: its penalty is added to the squared distance. Empty: clutter is uniform.
+    std::span<const csht::ReturnWorth> worth;
   };
 
   /// @return for each track the index of its detection, or -1; valid until the next call.

@@ -22,7 +22,7 @@ PaperKalmanParams noises_of(const core::SonarParams& sonar) {
 
 KalmanTracker::KalmanTracker(const KalmanParams& params, const core::SonarParams& sonar,
                              std::unique_ptr<BirthMethod> births)
-    : DetectionTracker(params.life, sonar, std::move(births)),
+    : DetectionTracker(params.life, params.clutter, sonar, std::move(births)),
       gate_(chi_square_gate(params.gate_probability, 2)),
       gate_distance_(params.gate_distance),
       filter_(noises_of(sonar)),
@@ -43,8 +43,8 @@ void KalmanTracker::filter(double seconds, bool confirmed) {
   const auto tracks = book_.tracks();
   for (std::size_t i = 0; i < tracks.size(); ++i) {
     if ((tracks[i].status != core::TrackStatus::tentative) != confirmed) continue;
-    supported_[i] = filter_.iterate(tracks[i], seconds, choose_);
-    if (supported_[i]) tracks[i].last_detection_utime = utime_;
+    track_ = i;
+    filter_.iterate(tracks[i], seconds, choose_);
   }
 }
 
@@ -52,21 +52,23 @@ std::optional<Eigen::Vector2d> KalmanTracker::nearest(const Eigen::Vector2d& pre
                                                       const Eigen::Matrix2d& innovation) {
   std::optional<std::size_t> best;
   double best_distance = gate_;
-  for (std::size_t j = 0; j < detections_.size(); ++j) {
-    const Eigen::Vector2d difference = detections_[j].p_earth - predicted;
+  for (std::size_t j = 0; j < detections().size(); ++j) {
+    const Eigen::Vector2d difference = detections()[j].p_earth - predicted;
     if (!free_detection_[j] || difference.norm() >= gate_distance_) continue;
-    const double distance = squared_distance(difference, innovation);
+    const double distance = squared_distance(difference, innovation) + worth()[j].penalty;
     if (distance >= best_distance) continue;
     best = j;
     best_distance = distance;
   }
   if (!best) return std::nullopt;
-  free_detection_[*best] = 0;
-  return detections_[*best].p_earth;
+  give(*best, track_);
+  return detections()[*best].p_earth;
 }
 
-void KalmanTracker::begin_on(const core::Detection& detection, const core::SonarParams& /*sonar*/) {
-  book_.begin(utime_, {detection.p_earth.x(), detection.p_earth.y(), 0.0, 0.0}, filter_.initial_covariance());
+void KalmanTracker::begin_on(const core::Detection& detection, const core::SonarParams& /*sonar*/,
+                             double support) {
+  book_.begin(utime_, {detection.p_earth.x(), detection.p_earth.y(), 0.0, 0.0}, filter_.initial_covariance(),
+              kFreeDetection, support);
 }
 
 }  // namespace lookout::tracking

@@ -12,6 +12,7 @@ struct KalmanParams {
   /// Largest distance from a prediction to its detection [m], > 0: with this process noise the statistical
   /// gate of a track that was missed twice covers much of the sector.
   double gate_distance = 10.0;
+  csht::LocalClutterParams clutter;  ///< Where false returns are dense; see there.
   /// When a track is confirmed and when it ends.
   TrackLifeParams life{
       .confirm_hits = 4, .confirm_scans = 8, .max_misses = 6.0, .first_misses = 6.0, .misses_per_hit = 0.0};
@@ -28,7 +29,7 @@ class KalmanTracker : public DetectionTracker {
 
  private:
   void take(const core::PosedScan& scan, const core::SonarParams& sonar) override;
-  void begin_on(const core::Detection& detection, const core::SonarParams& sonar) override;
+  void begin_on(const core::Detection& detection, const core::SonarParams& sonar, double support) override;
   void filter(double seconds, bool confirmed);
   std::optional<Eigen::Vector2d> nearest(const Eigen::Vector2d& predicted, const Eigen::Matrix2d& innovation);
 
@@ -36,6 +37,7 @@ class KalmanTracker : public DetectionTracker {
   double gate_distance_;  ///< [m]
   PaperKalmanFilter filter_;
   PaperKalmanFilter::Choose choose_;
+  std::size_t track_ = 0;  ///< The one that chooses.
   std::int64_t utime_ = 0;
 };
 

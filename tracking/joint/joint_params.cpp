@@ -43,6 +43,7 @@ void validate(const LifeParams& p) {
   core::require_not_negative("twin_distance", p.twin_distance);
   core::require_not_negative("twin_speed", p.twin_speed);
   core::require_inner_share("in_view_share", p.in_view_share);
+  core::require_inner_share("missed_again", p.missed_again);
 }
 
 void validate(const ReportParams& p) {

@@ -54,6 +54,9 @@ struct LifeParams {
                                ///< the coast. At 6 deg/s a target has turned round in that time.
   double twin_distance = 4.0;  ///< Two tracks no farther apart than this [m], >= 0,
   double twin_speed = 0.5;     ///< and in velocity [m/s], >= 0, are twins.
+  /// Of a sensor without beams, the least probability that a target which it missed is missed by the next
+  /// scan, too, in (0, 1): ships are hidden or end-on for a while, so that misses come in runs.
+  double missed_again = 0.5;
   /// Probability of being in view below which a track is out of view, in (0, 1).
   double in_view_share = 0.5;
 };

@@ -10,6 +10,8 @@
 namespace lookout::tracking {
 namespace {
 
+constexpr double kSureExistence = 0.9;  // Of a target whose returns tell how large the sensor's errors are.
+
 bool in_view(const Eigen::Vector2d& p_earth, const csht::ScanTable& scan) {
   const Eigen::Vector2d from = p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east);
   const int beam = csht::beam_at(scan, p_earth.x(), p_earth.y());
@@ -47,8 +49,15 @@ void ScanUpdate::predict(double seconds, TrackerState& state) const {
   for (csht::TargetTrack& track : state.tracks) {
     if (!track.used) continue;
     track.advance(seconds);
+    stray(seconds, track, state);
     track.log_odds = csht::log_odds(track.existence() * survival);
   }
+}
+
+void ScanUpdate::stray(double seconds, csht::TargetTrack& track, TrackerState& state) const {
+  if (!state.wander.active()) return;
+  state.wander.stray(seconds, state.random, track.cloud);
+  track.moments = track.cloud.moments();
 }
 
 void ScanUpdate::update(TrackerState& state) {
@@ -56,10 +65,12 @@ void ScanUpdate::update(TrackerState& state) {
   for (csht::TargetTrack& track : state.tracks) {
     if (!track.used) continue;
     if (state.stopped()) return;
+    const double missed_before = 1.0 - track.detected_share;
     take_scan(track, state);
     judge_motion(track, state);
     claims_.claim_memory(state.slot_of(track), track, csht::memory_of(track, state.scans(), memory_),
                          state.likelihood);
+    if (track.confirmed_once) track.log_odds += missed_before * excess_of_misses(track, state);
   }
 }
 
@@ -81,6 +92,15 @@ void ScanUpdate::claim_provisionally(TrackerState& state) {
   }
 }
 
+// What the newest scan took too much from the odds of a track that was missed before: misses are no
+// independent events.
+double ScanUpdate::excess_of_misses(const csht::TargetTrack& track, const TrackerState& state) const {
+  if (state.scans().newest().clutter != csht::ClutterModel::point) return 0.0;
+  const double alone = state.scans().figures().miss_probability;
+  const double missed = std::max(0.0, track.visible_share - track.detected_share);
+  return missed * std::log(std::max(1.0, life_.missed_again / alone));
+}
+
 void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
   const int self = state.slot_of(track);
   const csht::ScanHistory& scans = state.scans();
@@ -90,6 +110,9 @@ void ScanUpdate::take_scan(csht::TargetTrack& track, TrackerState& state) {
     track.log_ratio.assign(track.cloud.size(), 0.0);
     state.likelihood.add(track.cloud, track.moments.mean, {0, 0}, self, track.log_ratio);
   }
+  if (track.existence() > kSureExistence && !track.out_of_view)
+    state.learning().weigh_errors(track.cloud, shared ? state.likelihood.mask(0, self, beam) : nullptr,
+                                  scans.newest());
   const double evidence = track.cloud.reweigh(track.log_ratio);
   track.log_odds += evidence;
   track.highest_log_odds = std::max(track.highest_log_odds, track.log_odds);

@@ -23,6 +23,8 @@ class ScanUpdate {
   void update(TrackerState& state);
 
  private:
+  double excess_of_misses(const csht::TargetTrack& track, const TrackerState& state) const;
+  void stray(double seconds, csht::TargetTrack& track, TrackerState& state) const;
   void claim_provisionally(TrackerState& state);
   void take_scan(csht::TargetTrack& track, TrackerState& state);
   void refresh(csht::TargetTrack& track, TrackerState& state);

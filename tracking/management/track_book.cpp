@@ -1,5 +1,7 @@
 #include "tracking/management/track_book.hpp"
 
+#include <cmath>
+
 #include "core/field_of_view.hpp"
 #include "core/frames.hpp"
 #include "tracking/management/life_decision.hpp"
@@ -24,11 +26,11 @@ void TrackBook::predict_to(std::int64_t utime, const MotionModelParams& motion) 
 }
 
 void TrackBook::step(const core::PosedScan& scan, const core::SonarParams& sonar,
-                     const std::vector<char>& supported) {
+                     std::span<const double> support) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < tracks_.size(); ++i) {
     const bool in_view = core::observe(sonar, scan.T_earth_sonar, tracks_[i].position()).visible();
-    step_life(i, {scan.scan.utime, supported[i] != 0, in_view});
+    step_life(i, {scan.scan.utime, support[i], in_view});
     if (lives_[i].ended()) continue;
     tracks_[i].status = lives_[i].status();
     tracks_[kept] = tracks_[i];
@@ -52,13 +54,14 @@ void TrackBook::step_life(std::size_t index, const TrackLife::Evidence& evidence
 void TrackBook::tell(std::size_t index, std::int64_t utime, DecisionKind kind, const char* reason) const {
   if (!log_) return;
   TrackDecision decision{.utime = utime, .track = tracks_[index].id, .kind = kind, .reason = reason};
-  decision.count = {lives_[index].hits(), lives_[index].age() + 1, lives_[index].misses()};
+  decision.count = {static_cast<int>(std::lround(lives_[index].hits())), lives_[index].age() + 1,
+                    static_cast<int>(std::lround(lives_[index].misses()))};
   log_(decision);
 }
 
 void TrackBook::begin(std::int64_t utime, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance,
-                      const char* reason) {
-  lives_.emplace_back(params_, utime);
+                      const char* reason, double support) {
+  lives_.emplace_back(params_, utime, support);
   core::Track track;
   track.id = next_id_++;
   track.status = lives_.back().status();

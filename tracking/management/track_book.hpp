@@ -13,6 +13,9 @@
 
 namespace lookout::tracking {
 
+/// Why a track begins on a single detection.
+inline constexpr const char* kFreeDetection = "a detection that no track took";
+
 /// The living tracks of one tracker: births with new identities, prediction to the next scan, deletion.
 class TrackBook {
  public:
@@ -23,13 +26,13 @@ class TrackBook {
   void predict_to(std::int64_t utime, const MotionModelParams& motion);
 
   /// Tells every track what the scan says of it and forgets those that end.
-  /// @param supported one entry a track, in the order of `tracks`.
-  void step(const core::PosedScan& scan, const core::SonarParams& sonar, const std::vector<char>& supported);
+  /// @param support one entry a track, in the order of `tracks`, as TrackLife::Evidence has it.
+  void step(const core::PosedScan& scan, const core::SonarParams& sonar, std::span<const double> support);
 
   /// Begins a track at the book's time with a new identity, at the end of `tracks`.
-  /// @param reason of the decision to begin it; a static text.
+  /// @param reason of the decision to begin it; a static text. @param support of its first hit.
   void begin(std::int64_t utime, const Eigen::Vector4d& state, const Eigen::Matrix4d& covariance,
-             const char* reason = "a detection that no track took");
+             const char* reason = kFreeDetection, double support = 1.0);
 
   /// Sends every decision from now on to `log`: what `begin` and `step` decide, and what `tell` is told.
   void explain_to(const DecisionLog& log) { log_ = log; }

@@ -15,18 +15,17 @@ void TrackLifeParams::validate() const {
   core::require_not_negative("coast_s", coast_s);
 }
 
-TrackLife::TrackLife(const TrackLifeParams& params, std::int64_t utime)
+TrackLife::TrackLife(const TrackLifeParams& params, std::int64_t utime, double support)
     : status_(params.confirm_hits == 1 ? core::TrackStatus::confirmed : core::TrackStatus::tentative),
+      hits_(support),
       coasting_since_(utime) {}
 
 void TrackLife::step(const TrackLifeParams& params, const Evidence& evidence) {
   ++age_;
-  if (evidence.supported) ++hits_;
+  hits_ += evidence.support;
+  if (evidence.support <= 0.0) ++unsupported_;
   // Outside the field of view a scan without support is no miss.
-  if (evidence.supported)
-    misses_ = 0;
-  else if (evidence.in_view)
-    ++misses_;
+  if (evidence.support > 0.0 || evidence.in_view) misses_ = (1.0 - evidence.support) * (misses_ + 1.0);
   if (status_ == core::TrackStatus::tentative)
     step_tentative(params, evidence);
   else
@@ -34,9 +33,8 @@ void TrackLife::step(const TrackLifeParams& params, const Evidence& evidence) {
 }
 
 void TrackLife::step_tentative(const TrackLifeParams& params, const Evidence& evidence) {
-  const int scans_left = params.confirm_scans - (age_ + 1);
   if (hits_ >= params.confirm_hits) status_ = core::TrackStatus::confirmed;
-  ended_ = !evidence.in_view || hits_ + scans_left < params.confirm_hits;
+  ended_ = !evidence.in_view || unsupported_ > params.confirm_scans - params.confirm_hits;
 }
 
 void TrackLife::step_confirmed(const TrackLifeParams& params, const Evidence& evidence) {

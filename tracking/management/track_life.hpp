@@ -8,7 +8,9 @@ namespace lookout::tracking {
 
 /// When a track is confirmed, how long it survives without support, and how long it coasts.
 struct TrackLifeParams {
-  int confirm_hits = 1;   ///< Supported scans that confirm, M of N, >= 1; 1: at once.
+  /// Supported scans that confirm, M of N, >= 1; 1: at once. Supports that count for a part, where false
+  /// returns are dense, are as much less of M and of N alike.
+  int confirm_hits = 1;
   int confirm_scans = 1;  ///< N: scans from the first within which they must come, >= confirm_hits.
   double max_misses =
       5.0;  ///< Most misses in a row (scans in view without support), >= 0, however many hits.
@@ -26,20 +28,22 @@ class TrackLife {
   /// What the newest scan says of the track.
   struct Evidence {
     std::int64_t utime = 0;  ///< Of the scan [us].
-    bool supported = false;  ///< Something in the scan or the window belongs to it.
-    bool in_view = true;     ///< Its position is inside the sector and the range of the sonar.
+    /// What in the scan or the window belongs to it, in [0, 1]: 1 a return in the background's clutter, less
+    /// where false ones are dense, 0 nothing.
+    double support = 0.0;
+    bool in_view = true;  ///< Its position is inside the sector and the range of the sonar.
   };
 
-  /// Born at `utime` with one hit.
-  TrackLife(const TrackLifeParams& params, std::int64_t utime);
+  /// Born at `utime` with one hit. @param support of the hit, as Evidence::support.
+  TrackLife(const TrackLifeParams& params, std::int64_t utime, double support = 1.0);
 
   /// One call a scan after the one of birth.
   void step(const TrackLifeParams& params, const Evidence& evidence);
 
   core::TrackStatus status() const { return status_; }  ///< Tentative, confirmed or coasting.
   bool ended() const { return ended_; }                 ///< Whether the track is to be deleted.
-  int hits() const { return hits_; }                    ///< Scans with a detection of its own, since birth.
-  int misses() const { return misses_; }                ///< In a row.
+  double hits() const { return hits_; }                 ///< Sum of the supports since birth.
+  double misses() const { return misses_; }             ///< In a row.
   int age() const { return age_; }                      ///< Scans since birth.
 
  private:
@@ -49,8 +53,9 @@ class TrackLife {
 
   core::TrackStatus status_;
   bool ended_ = false;
-  int hits_ = 1;
-  int misses_ = 0;
+  double hits_ = 1.0;
+  double misses_ = 0.0;
+  int unsupported_ = 0;  ///< Scans since birth without any support.
   int age_ = 0;
   std::int64_t coasting_since_ = 0;
 };

@@ -84,6 +84,7 @@ void validate(const SensorLearningParams& p) {
 void validate(const ClutterLearningParams& p) {
   validate(p.map);
   validate(p.spill);
+  validate(p.intensity);
   core::require(p.judge_every >= 1, "judge_every must be >= 1", p.judge_every);
   core::require(p.least_change > 0.0, "least_change must be > 0", p.least_change);
   core::require(p.sure_existence > 0.0 && p.sure_existence < 1.0, "sure_existence must be in (0, 1)",

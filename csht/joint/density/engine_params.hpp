@@ -5,6 +5,7 @@
 #include "csht/joint/density/mover.hpp"
 #include "csht/joint/density/target_prior.hpp"
 #include "csht/likelihood/clutter/clutter_map.hpp"
+#include "csht/likelihood/intensity_law.hpp"
 #include "csht/likelihood/sensor_likelihood.hpp"
 #include "csht/likelihood/sensor_model.hpp"
 #include "csht/likelihood/spill_model.hpp"
@@ -99,9 +100,10 @@ struct SensorLearningParams {
 
 /// How the density of false returns is learnt, and what tracks have to do with it.
 struct ClutterLearningParams {
-  SpillParams spill;           ///< How echoes heard in several beams are recognised.
-  ClutterMapParams map;        ///< Where false returns are counted.
-  int judge_every = 4;         ///< Scans after which all in memory are judged anew, >= 1.
+  SpillParams spill;             ///< How echoes heard in several beams are recognised.
+  ClutterMapParams map;          ///< Where false returns are counted.
+  IntensityLawParams intensity;  ///< What the intensity of a return tells.
+  int judge_every = 4;  ///< Scans after which the past is judged anew, and a new scan priced anew, >= 1.
   double least_change = 0.05;  ///< Relative change of a return's share that is worth it, > 0.
   double sure_existence =
       0.9;                 ///< A track is no clutter that surely moves, has so much existence, in (0, 1),

@@ -60,7 +60,7 @@ BeamClaims::View BeamClaims::look(int slot, const TrajectoryCloud& cloud, int ag
   if (range_.size() < size) range_.resize(size, 0.0);
   touched_.clear();
   touched_.reserve(share_.size());
-  const View view = points ? look_points(cloud, scan, likelihood.scans().figures(), seconds, stride)
+  const View view = points                ? look_points(cloud, age, stride, likelihood)
                     : scan.blur_reach > 0 ? look_blurred(cloud, scan, seconds, stride)
                                           : look_beams(cloud, scan, seconds, stride);
   const double total = total_weight(cloud, stride);
@@ -121,8 +121,13 @@ BeamClaims::View BeamClaims::look_beams(const TrajectoryCloud& cloud, const Scan
 }
 
 // For a sensor without beams: how probably each detection is the track's.
-BeamClaims::View BeamClaims::look_points(const TrajectoryCloud& cloud, const ScanTable& scan,
-                                         const SensorFigures& figures, double seconds, std::size_t stride) {
+BeamClaims::View BeamClaims::look_points(const TrajectoryCloud& cloud, int age, std::size_t stride,
+                                         const ScanLikelihood& likelihood) {
+  const ScanTable& scan = likelihood.scans().at_age(age);
+  const SensorFigures& figures = likelihood.scans().figures();
+  const double seconds = likelihood.scans().seconds_at_age(age);
+  const Tolerance tolerance = likelihood.tolerance_at(age, cloud.trajectory(0));
+  const double scale = 1.0 / tolerance.sigma_scale;
   const std::size_t count = scan.detections.size();
   View view;
   for (std::size_t j = 0; j < count; ++j) touched_.push_back(static_cast<int>(j));
@@ -136,10 +141,11 @@ BeamClaims::View BeamClaims::look_points(const TrajectoryCloud& cloud, const Sca
     double sum = figures.miss_probability;
     ratio_.assign(count, 0.0);
     for (std::size_t j = 0; j < count; ++j) {
-      const double dr = (scan.detections[j].range - range) / figures.range_sigma;
-      const double db = core::wrap_to_pi(scan.detections[j].azimuth - azimuth) / figures.bearing_sigma;
-      sum += ratio_[j] =
-          static_cast<double>(scan.gain * scan.background[j]) * std::exp(-0.5 * (dr * dr + db * db));
+      const double dr = (scan.detections[j].range - range) * scale / figures.range_sigma;
+      const double db =
+          core::wrap_to_pi(scan.detections[j].azimuth - azimuth) * scale / figures.bearing_sigma;
+      sum += ratio_[j] = scale * scale * static_cast<double>(scan.gain * scan.worth[j]) *
+                         std::exp(-0.5 * (dr * dr + db * db));
     }
     for (std::size_t j = 0; j < count; ++j) {
       const double share = cloud.weight[i] * ratio_[j] / sum;

@@ -41,8 +41,8 @@ class BeamClaims {
             ScanLikelihood& likelihood);
   View look_beams(const TrajectoryCloud& cloud, const ScanTable& scan, double seconds, std::size_t stride);
   View look_blurred(const TrajectoryCloud& cloud, const ScanTable& scan, double seconds, std::size_t stride);
-  View look_points(const TrajectoryCloud& cloud, const ScanTable& scan, const SensorFigures& figures,
-                   double seconds, std::size_t stride);
+  View look_points(const TrajectoryCloud& cloud, int age, std::size_t stride,
+                   const ScanLikelihood& likelihood);
 
   BeamClaimParams params_;
   std::vector<double> share_, range_;  ///< By beam, or by detection of a point sensor.

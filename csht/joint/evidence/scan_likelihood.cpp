@@ -184,8 +184,17 @@ void ScanLikelihood::add(const TrajectoryCloud& cloud, const Trajectory& mean, c
       const Eigen::Vector2d at = position_at(cloud.motion, mean, scans_.seconds_at_age(age));
       others = mask(age, self, std::max(0, beam_at(scans_.at_age(age), at.x(), at.y())));
     }
-    add_scan(cloud, age, others, log_ratio);
+    // In the short window of a new target it strays by less than the sensor errs.
+    add_scan(cloud, age, others, self == kNobody ? tolerance_ : tolerance_at(age, mean), log_ratio);
   }
+}
+
+Tolerance ScanLikelihood::tolerance_at(int age, const Trajectory& mean) const {
+  if (!wander_.active()) return tolerance_;
+  const core::Pose2& sonar = scans_.newest().T_earth_sonar;
+  const double memory =
+      wander_.memory(scans_.figures(), std::hypot(mean[0] - sonar.north, mean[1] - sonar.east));
+  return wander_.at_age(-scans_.seconds_at_age(age), memory, tolerance_);
 }
 
 void ScanLikelihood::begin_cloud(const TrajectoryCloud& cloud, int oldest, std::span<double> log_ratio) {
@@ -199,14 +208,14 @@ void ScanLikelihood::begin_cloud(const TrajectoryCloud& cloud, int oldest, std::
 }
 
 void ScanLikelihood::add_scan(const TrajectoryCloud& cloud, int age, const BeamMask* mask,
-                              std::span<double> log_ratio) {
+                              const Tolerance& tolerance, std::span<double> log_ratio) {
   const double seconds = scans_.seconds_at_age(age);
   if (cloud.motion == Motion::constant_velocity) {
-    add_log_ratio(scans_.at_age(age), mask, cloud.span(), seconds, tolerance_, log_ratio);
+    add_log_ratio(scans_.at_age(age), mask, cloud.span(), seconds, tolerance, log_ratio);
     return;
   }
   cloud.place(seconds, moved_);
-  add_log_ratio(scans_.at_age(age), mask, moved_.span(), 0.0, tolerance_, log_ratio);
+  add_log_ratio(scans_.at_age(age), mask, moved_.span(), 0.0, tolerance, log_ratio);
 }
 
 }  // namespace lookout::csht

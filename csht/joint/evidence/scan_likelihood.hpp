@@ -6,6 +6,7 @@
 #include "core/sonar_scan.hpp"
 #include "csht/joint/density/target_prior.hpp"
 #include "csht/joint/density/trajectory_cloud.hpp"
+#include "csht/joint/density/wander.hpp"
 #include "csht/likelihood/beam_mask.hpp"
 #include "csht/likelihood/scan_history.hpp"
 
@@ -48,6 +49,7 @@ class ScanLikelihood {
   double log_birth(int age) const {
     return prior_.log_birth(core::seconds(scans_.at_age(age).utime - first_utime_));
   }
+  void set_wander(const Wander& wander) { wander_ = wander; }   ///< Holds from the next call on.
   void set_prior(const TargetPrior& prior) { prior_ = prior; }  ///< Holds from the next call on.
   /// Rewrites P_F, P_M and sigma in every scan that is kept.
   void set_figures(const SensorFigures& figures) { scans_.set_figures(figures); }
@@ -56,9 +58,9 @@ class ScanLikelihood {
     scans_.group(age, spill, background);
   }
   /// Sets the background's share of each return of the scan of this age, see ScanHistory.
-  void set_background(int age, const std::vector<float>& background) {
-    scans_.set_background(age, background);
-  }
+  void set_background(int age, std::span<const float> background) { scans_.set_background(age, background); }
+  /// Sets what the intensity of each return of the scan of this age tells, see ScanHistory.
+  void set_loudness(int age, std::span<const float> loudness) { scans_.set_loudness(age, loudness); }
   /// Turns the scan of this age to the heading that is now believed.
   void set_heading_error(int age, const HeadingError& error) { scans_.set_heading_error(age, error); }
 
@@ -84,6 +86,9 @@ class ScanLikelihood {
   void add(const TrajectoryCloud& cloud, const Trajectory& mean, const AgeSpan& ages, int self,
            std::span<double> log_ratio);
 
+  /// By how much a target at `mean` may miss a return of the scan of this age; see Wander.
+  Tolerance tolerance_at(int age, const Trajectory& mean) const;
+
   /// The claims of all but `self` on the scan of this age as a mask; null where nothing is claimed. Valid
   /// until the next call. @param beam only claims within `kNeighbourhood` beams of it; negative: all.
   const BeamMask* mask(int age, int self, int beam);
@@ -105,9 +110,11 @@ class ScanLikelihood {
   void claim_beam(const ScanTable& scan, const Claim& claim, double share);
   void claim_group(const ScanTable& scan, const Claim& claim, double share);
   void begin_cloud(const TrajectoryCloud& cloud, int oldest, std::span<double> log_ratio);
-  void add_scan(const TrajectoryCloud& cloud, int age, const BeamMask* mask, std::span<double> log_ratio);
+  void add_scan(const TrajectoryCloud& cloud, int age, const BeamMask* mask, const Tolerance& tolerance,
+                std::span<double> log_ratio);
 
   Tolerance tolerance_;
+  Wander wander_;
   ScanHistory scans_;
   TargetPrior prior_;
   std::int64_t first_utime_ = 0;

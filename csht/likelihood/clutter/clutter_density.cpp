@@ -22,9 +22,11 @@ double log_excess_factor(double count, double expected, const ExcessPrior& prior
 }
 
 Excess excess(double count, double expected, const ExcessPrior& prior) {
+  const double rate = (count + prior.shape) / (expected + prior.shape / prior.mean);
+  if (rate <= 1.0) return {0.0, rate};
   const double log_odds =
       std::log(prior.share / (1.0 - prior.share)) + log_excess_factor(count, expected, prior);
-  return {1.0 / (1.0 + std::exp(-log_odds)), (count + prior.shape) / (expected + prior.shape / prior.mean)};
+  return {1.0 / (1.0 + std::exp(-log_odds)), rate};
 }
 
 }  // namespace lookout::csht

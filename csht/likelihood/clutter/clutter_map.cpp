@@ -13,38 +13,7 @@ namespace {
 constexpr double kMicroseconds = 1e6;
 // Background's share around a return from which on a track is believed to have made it.
 constexpr double kClear = 0.5;
-// A kernel's counts are no Poisson numbers: divided by this, the mean of its squares over its mean, their
-// variance equals their mean. Of a triangle it is 2/3, of a product of two 4/9.
-constexpr double kTriangle = 2.0 / 3.0;
-// Standing things are often sharper than the sonar's error: the earth's kernel has finer ones in it.
-constexpr double kFine = 1.0 / 3.0;
-// From so many returns on they may lie on a line, which is as steep as this at most, in metres down for one
-// across.
-constexpr double kLine = 3.0, kSteepest = 6.0;
-constexpr double kLines = 0.5;  // Share of what stands that is a line.
 constexpr float kListened = 0.5F;
-
-// A triangle of height 1 and half width 1.
-double triangle(double x) {
-  return std::max(0.0, 1.0 - std::abs(x));
-}
-
-// Its integral from -inf to x.
-double triangle_below(double x) {
-  const double c = std::clamp(x, -1.0, 1.0);
-  return c < 0.0 ? 0.5 * (1.0 + c) * (1.0 + c) : 1.0 - 0.5 * (1.0 - c) * (1.0 - c);
-}
-
-// Where a scan keeps a detection's return. None for what is in no beam, or behind a nearer return of its
-// beam.
-std::optional<std::size_t> slot_of(const ScanTable& scan, std::size_t index) {
-  if (scan.clutter == ClutterModel::point) return index;
-  const core::Detection& detection = scan.detections[index];
-  if (detection.beam < 0 || detection.beam >= scan.num_beams) return std::nullopt;
-  const std::size_t slot = static_cast<std::size_t>(detection.beam) + 1;
-  if (scan.range[slot] != static_cast<float>(detection.range)) return std::nullopt;
-  return slot;
-}
 
 // The background's share where the density is larger by `excess` than `base`. @param rate of the background
 // by the learnt P_F, @param base by what most of the fan returns at most.
@@ -80,8 +49,11 @@ ClutterMap::ClutterMap(const ClutterMapParams& params, const core::SonarParams& 
     : params_(params),
       range_reach_(params.range_reach * sonar.range_sigma),
       leave_out_us_(microseconds(sensor_seconds(params.leave_out_time, params.leave_out_scans, sonar))),
-      spot_us_(static_cast<std::int64_t>(params.spot_times * static_cast<double>(leave_out_us_))),
       memory_(limits_of(params, sonar, leave_out_us_)),
+      times_(leave_out_us_,
+             static_cast<std::int64_t>(params.spot_times * static_cast<double>(leave_out_us_))),
+      sonar_({params.sonar_beams, range_reach_}),
+      earth_({params.earth_beams, range_reach_}),
       sonar_dense_(params.sonar_learning, params.sonar_prior.share),
       earth_dense_(params.earth_learning, params.standing_share) {
   times_.reserve(memory_.most_looks());
@@ -105,7 +77,7 @@ void ClutterMap::discount(const ScanTable& scan, std::span<const double> own, do
   rate = typical_.at_most(rate);
   Look* look = memory_.look_at(scan);
   if (look == nullptr || look->earth.size() != own.size()) return;
-  mark_looks(scan);
+  times_.mark(memory_, scan.utime);
   for (std::size_t j = 0; j < own.size(); ++j) {
     if (own[j] <= 0.0) continue;
     if (clear_around(scan, seen_place(scan, scan.detections[j]), rate) < kClear) continue;
@@ -115,26 +87,9 @@ void ClutterMap::discount(const ScanTable& scan, std::span<const double> own, do
   }
 }
 
-void ClutterMap::mark_looks(const ScanTable& scan) const {
-  times_.clear();
-  num_counted_ = num_far_ = num_others_ = 0.0;
-  for (const Look& look : memory_.looks()) {
-    const std::int64_t lag = std::abs(look.utime - scan.utime);
-    LookTime time;
-    time.own = look.utime == scan.utime;
-    time.before = look.utime < scan.utime;
-    time.counted = lag > leave_out_us_;
-    time.far = lag > spot_us_;
-    times_.push_back(time);
-    num_counted_ += time.counted ? 1.0 : 0.0;
-    num_far_ += time.far ? 1.0 : 0.0;
-    num_others_ += time.own ? 0.0 : 1.0;
-  }
-}
-
 void ClutterMap::price(const ScanTable& scan, double rate, std::vector<float>& background) {
   background.assign(background.size(), 1.0F);
-  mark_looks(scan);
+  times_.mark(memory_, scan.utime);
   if (memory_.looks().empty()) return;
   Look* look = memory_.look_at(scan);
   const double base = typical_.at_most(rate);
@@ -165,7 +120,7 @@ std::vector<ClutterMap::PricedPlace> ClutterMap::places(const ScanTable& scan, d
   };
   for (const Look& look : memory_.looks()) {
     then.utime = look.utime;
-    mark_looks(then);
+    times_.mark(memory_, then.utime);
     for (std::size_t j = 0; j < look.earth.size(); ++j) {
       if (k++ % stride != 0) continue;
       take(memory_.place_around(scan, look.in_sonar[j]));
@@ -182,9 +137,8 @@ double ClutterMap::background_at(const ScanTable& scan, const SeenPlace& place, 
 
 ClutterMap::PlaceExcess ClutterMap::excess_at(const ScanTable& scan, const SeenPlace& place,
                                               double rate) const {
-  const TwoExcesses spot = spot_excess(scan, place, rate, true),
-                    frame = frame_excess(scan, place, rate, true);
-  return {{denser(spot.all, frame.all), denser(spot.free, frame.free)}, earth_excess(scan, place, rate)};
+  return {sonar_.at(scan, place, memory_, times_, rate, sonar_prior()).place,
+          earth_.at(scan, place, memory_, times_, rate, earth_prior())};
 }
 
 // What moves with the sonar shows, blurred, in the earth's frame, and what stands in the sonar's: returns
@@ -205,123 +159,6 @@ double ClutterMap::PlaceExcess::explained_by_earth() const {
   return earth.free.density() / (1.0 + sonar.free.density() + earth.free.density());
 }
 
-void ClutterMap::TwoCounts::take(const BinnedPoint& point, double kernel) {
-  const double count = static_cast<double>(point.weight) * kernel;
-  all += count;
-  free += static_cast<double>(point.free) * count;
-}
-
-// What lies around a place in all scans but its own: it needs no past, and a target that moves along with the
-// sonar does not price its own returns.
-ClutterMap::TwoExcesses ClutterMap::frame_excess(const ScanTable& scan, const SeenPlace& place, double rate,
-                                                 bool corners) const {
-  FrameCounts all, free;
-  const double y = place.range / range_reach_;
-  memory_.in_sonar().visit(
-      place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
-        const LookTime& time = time_of(p);
-        const FrameCounts::Spot spot =
-            FrameCounts::spot_of(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y);
-        if (time.own || !spot.counts) return;
-        all.take(spot, static_cast<double>(p.weight), time.before);
-        free.take(spot, static_cast<double>(p.weight * p.free), time.before);
-      });
-  const double per_area = num_others_ * rate / scan.num_beams * range_reach_ / scan.max_range;
-  const FrameCounts::Border border =
-      FrameCounts::border_at(scan, place.beam, y, scan.max_range / range_reach_);
-  const FrameExcess of_all(all, border, per_area, sonar_prior()),
-      of_free(free, border, per_area, sonar_prior());
-  if (!corners || !(of_all.is_corner() || of_free.is_corner())) return {of_all.both(), of_free.both()};
-  const TwoExcesses spot = spot_excess(scan, place, rate, false);
-  return {of_all.with_corner(spot.all), of_free.with_corner(spot.free)};
-}
-
-// What lies at a place, but long before or after: a target that moves along with the sonar is found by then.
-ClutterMap::TwoExcesses ClutterMap::spot_excess(const ScanTable& scan, const SeenPlace& place, double rate,
-                                                bool far) const {
-  const double looks = far ? num_far_ : num_counted_;
-  if (looks == 0.0) return {};
-  const double y = place.range / range_reach_, reach = params_.sonar_beams;
-  TwoCounts count;
-  memory_.in_sonar().visit(place.beam, y, reach, 1.0, [&](const BinnedPoint& p) {
-    if (const LookTime& time = time_of(p); !(far ? time.far : time.counted)) return;
-    count.take(p, triangle((static_cast<double>(p.x) - place.beam) / reach) *
-                      triangle(static_cast<double>(p.y) - y));
-  });
-  const double half = 0.5 * scan.num_beams;
-  const double across = scan.whole_circle ? reach
-                                          : reach * (triangle_below((half - place.beam) / reach) -
-                                                     triangle_below((-half - place.beam) / reach));
-  const double along = triangle_below(scan.max_range / range_reach_ - y) - triangle_below(-y);
-  const double per_cell = rate / scan.num_beams * range_reach_ / scan.max_range;
-  const double scale = 1.0 / (kTriangle * kTriangle);
-  const double expected = scale * looks * across * along * per_cell;
-  return {excess(scale * count.all, expected, sonar_prior()),
-          excess(scale * count.free, expected, sonar_prior())};
-}
-
-// Calls `use` with each counted return of the earth within a box along a line of sight, and with where it is:
-// from the place along that line and across it [m].
-template <class Use>
-void ClutterMap::visit_earth(const SeenPlace& place, const EarthBox& box, const Use& use) const {
-  const Eigen::Vector2d& along = box.along;
-  const double north = std::abs(along.x()) * box.down + std::abs(along.y()) * box.across;
-  const double east = std::abs(along.y()) * box.down + std::abs(along.x()) * box.across;
-  memory_.earth().visit(place.p_earth.x(), place.p_earth.y(), north, east, [&](const BinnedPoint& p) {
-    if (!time_of(p).counted) return;
-    const double dn = static_cast<double>(p.x) - place.p_earth.x();
-    const double de = static_cast<double>(p.y) - place.p_earth.y();
-    use(p, dn * along.x() + de * along.y(), de * along.x() - dn * along.y());
-  });
-}
-
-// Counts of the earth's kernels around a place.
-ClutterMap::EarthCounts ClutterMap::count_in_earth(const SeenPlace& place, const EarthBox& box) const {
-  EarthCounts counts;
-  double squares = 0.0, products = 0.0;
-  visit_earth(place, box, [&](const BinnedPoint& p, double down, double across) {
-    const double beside = triangle(across / box.across);
-    counts.wide.take(p, beside * triangle(down / box.down));
-    counts.thin.take(p, beside * triangle(down / (kFine * box.down)));
-    const double wide = static_cast<double>(p.weight) * beside * triangle(down / box.down);
-    squares += wide * across * across;
-    products += wide * across * down;
-  });
-  if (counts.wide.all < kLine || squares <= 0.0) return counts;
-  const double slope = std::clamp(products / squares, -kSteepest, kSteepest);
-  EarthBox slanting = box;
-  slanting.down = std::abs(slope) * box.across + kFine * box.down;
-  visit_earth(place, slanting, [&](const BinnedPoint& p, double down, double across) {
-    counts.line.take(p,
-                     triangle(across / box.across) * triangle((down - slope * across) / (kFine * box.down)));
-  });
-  return counts;
-}
-
-// The densest of the kernels counts.
-ClutterMap::TwoExcesses ClutterMap::earth_excess(const ScanTable& scan, const SeenPlace& place,
-                                                 double rate) const {
-  const double beam = scan.width_at(place.beam) * place.range;
-  const EarthBox box{
-      (place.p_earth - Eigen::Vector2d(scan.T_earth_sonar.north, scan.T_earth_sonar.east)).normalized(),
-      range_reach_, std::max(params_.earth_beams * beam, 0.25 * range_reach_)};
-  const EarthCounts counts = count_in_earth(place, box);
-  if (counts.wide.all <= 0.0) return {};
-  const double per_look = rate / scan.num_beams * box.across / beam * range_reach_ / scan.max_range;
-  const double scale = 1.0 / (kTriangle * kTriangle);
-  const double expected = scale * views_of(place) * per_look;
-  const ExcessPrior prior = earth_prior();
-  ExcessPrior line = prior;
-  line.share *= kLines;
-  const auto densest = [&](double wide, double thin, double slanting) {
-    return denser(excess(scale * wide, expected, prior),
-                  denser(excess(scale * thin, kFine * expected, prior),
-                         excess(scale * slanting, kFine * expected, line)));
-  };
-  return {densest(counts.wide.all, counts.thin.all, counts.line.all),
-          densest(counts.wide.free, counts.thin.free, counts.line.free)};
-}
-
 ExcessPrior ClutterMap::sonar_prior() const {
   return {std::clamp(sonar_dense_.share(), params_.sonar_prior.share, params_.most_dense),
           params_.sonar_prior.shape, std::max(params_.sonar_prior.mean, sonar_dense_.mean_rate())};
@@ -335,7 +172,7 @@ ExcessPrior ClutterMap::earth_prior() const {
 // The background's share of the returns in a frame around a place, in the sonar's frame or the earth's,
 // whichever is less: its middle, where a target's own returns are, is left out.
 double ClutterMap::clear_around(const ScanTable& scan, const SeenPlace& place, double rate) const {
-  if (num_counted_ == 0.0) return 1.0;
+  if (times_.counted() == 0.0) return 1.0;
   const double y = place.range / range_reach_;
   double sonar = 0.0, earth = 0.0;
   const auto in_frame = [](double across, double along) {
@@ -345,7 +182,8 @@ double ClutterMap::clear_around(const ScanTable& scan, const SeenPlace& place, d
   };
   const PointBins& bins = memory_.in_sonar();
   bins.visit(place.beam, y, FrameCounts::kBeams, FrameCounts::kReaches, [&](const BinnedPoint& p) {
-    if (time_of(p).counted && in_frame(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y))
+    if (times_.of(p).counted > 0.0F &&
+        in_frame(static_cast<double>(p.x) - place.beam, static_cast<double>(p.y) - y))
       sonar += static_cast<double>(p.weight);
   });
   const Eigen::Vector2d along =
@@ -353,7 +191,7 @@ double ClutterMap::clear_around(const ScanTable& scan, const SeenPlace& place, d
   const double beam = scan.width_at(place.beam) * place.range;
   const double box = std::hypot(FrameCounts::kBeams * beam, FrameCounts::kReaches * range_reach_);
   memory_.earth().visit(place.p_earth.x(), place.p_earth.y(), box, box, [&](const BinnedPoint& p) {
-    if (!time_of(p).counted) return;
+    if (times_.of(p).counted == 0.0F) return;
     const double dn = static_cast<double>(p.x) - place.p_earth.x();
     const double de = static_cast<double>(p.y) - place.p_earth.y();
     if (in_frame((de * along.x() - dn * along.y()) / beam, (dn * along.x() + de * along.y()) / range_reach_))
@@ -361,41 +199,23 @@ double ClutterMap::clear_around(const ScanTable& scan, const SeenPlace& place, d
   });
   const double area = 4.0 * (FrameCounts::kBeams * FrameCounts::kReaches -
                              FrameCounts::kMiddleBeams * FrameCounts::kMiddleReaches);
-  const double expected = num_counted_ * area * rate / scan.num_beams * range_reach_ / scan.max_range;
+  const double expected = times_.counted() * area * rate / scan.num_beams * range_reach_ / scan.max_range;
   return 1.0 / (1.0 + std::max(excess(sonar, expected, params_.sonar_prior).density(),
                                excess(earth, expected, params_.sonar_prior).density()));
-}
-
-// Mean number of looks, each weighted with the density of its background there, that had a place in view.
-double ClutterMap::views_of(const SeenPlace& place) const {
-  double views = 0.0;
-  for (std::size_t k = 0; k < times_.size(); ++k) {
-    if (!times_[k].counted) continue;
-    const Look& look = memory_.looks()[k];
-    const double dn = place.p_earth.x() - look.T_earth_sonar.north;
-    const double de = place.p_earth.y() - look.T_earth_sonar.east;
-    const double square = dn * dn + de * de;
-    if (square > look.max_range * look.max_range) continue;
-    if (std::abs(core::wrap_to_pi(std::atan2(de, dn) - look.axis)) > look.half_sector) continue;
-    views += place.range / std::max(std::sqrt(square), 0.1 * place.range);
-  }
-  return views;
 }
 
 // What moves with the sonar shows, blurred, in the earth's frame too: only what is denser there stands.
 void ClutterMap::learn(const ScanTable& newest, std::span<const double> own, double rate) {
   rate = typical_.at_most(rate);
-  mark_looks(newest);
+  times_.mark(memory_, newest.utime);
   sonar_dense_.begin_scan();
-  if (num_counted_ > 0.0) earth_dense_.begin_scan();
+  if (times_.counted() > 0.0) earth_dense_.begin_scan();
   for (std::size_t j = 0; j < newest.detections.size(); ++j) {
     const SeenPlace place = seen_place(newest, newest.detections[j]);
-    const Excess spot = spot_excess(newest, place, rate, true).all,
-                 frame = frame_excess(newest, place, rate, false).all;
-    const Excess& sonar = denser(spot, frame);
+    const Excess sonar = sonar_.at(newest, place, memory_, times_, rate, sonar_prior()).clear.all;
     sonar_dense_.take(1.0 - own[j], sonar.density() > 0.0 ? sonar.probability : 0.0, sonar.rate);
-    if (num_counted_ == 0.0) continue;
-    const double stands = earth_excess(newest, place, rate).all.density();
+    if (times_.counted() == 0.0) continue;
+    const double stands = earth_.at(newest, place, memory_, times_, rate, earth_prior()).all.density();
     const bool denser = stands > sonar.density();
     earth_dense_.take(1.0, denser ? stands / (1.0 + stands) : 0.0, 1.0 + stands);
   }

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "core/sonar_params.hpp"
-#include "csht/likelihood/clutter/clutter_density.hpp"
 #include "csht/likelihood/clutter/clutter_map_params.hpp"
 #include "csht/likelihood/clutter/dense_returns.hpp"
-#include "csht/likelihood/clutter/frame_counts.hpp"
+#include "csht/likelihood/clutter/earth_frame.hpp"
 #include "csht/likelihood/clutter/look_memory.hpp"
+#include "csht/likelihood/clutter/look_times.hpp"
+#include "csht/likelihood/clutter/sonar_frame.hpp"
 #include "csht/likelihood/clutter/typical_rate.hpp"
 #include "csht/likelihood/scan_table.hpp"
 
@@ -36,10 +37,20 @@ class ClutterMap {
   /// explains. @param rate mean number of uniform false returns of a scan, > 0.
   void price(const ScanTable& scan, double rate, std::vector<float>& background);
 
+  /// The same of one detection, also of one that the scan keeps no slot for. @param scan the last that was
+  /// priced.
+  double background_of(const ScanTable& scan, std::size_t detection, double rate) const {
+    return background_at(scan, seen_place(scan, scan.detections[detection]), rate);
+  }
+
   /// Learns from the newest scan how many of the returns stand still or come from places that return more
   /// than the background, and how much more those return. @param own probability, for each detection, that a
   /// target made it. @param rate as for `price`.
   void learn(const ScanTable& newest, std::span<const double> own, double rate);
+  /// `rate`, or by how much of the newest scan most of the fan shows that the uniform background makes more:
+  /// who learns the rate from the prices alone would see what is dense by chance make it less, and then all
+  /// dense.
+  double at_least_typical(double rate) const { return typical_.at_least(rate); }
   /// Probability that a return is of what stands still.
   double standing_share() const { return earth_dense_.share(); }
 
@@ -55,20 +66,6 @@ class ClutterMap {
   std::vector<PricedPlace> places(const ScanTable& scan, double rate, std::size_t most) const;
 
  private:
-  void find_typical_rate(const ScanTable& scan);
-  void mark_looks(const ScanTable& scan) const;
-  // How far in time a look is from the scan at hand.
-  struct LookTime {
-    bool own = false;      // It is that scan,
-    bool before = false;   // or earlier;
-    bool counted = false;  // it judges places of the earth and corners,
-    bool far = false;      // and spots.
-  };
-  const LookTime& time_of(const BinnedPoint& p) const { return times_[memory_.index_of(p)]; }
-  // What is dense at a place: by all returns, and by their shares that the other frame does not explain.
-  struct TwoExcesses {
-    Excess all, free;
-  };
   // What is dense at a place in either frame.
   struct PlaceExcess {
     TwoExcesses sonar, earth;
@@ -76,40 +73,21 @@ class ClutterMap {
     double explained_by_sonar() const;
     double explained_by_earth() const;
   };
+  void find_typical_rate(const ScanTable& scan);
   PlaceExcess excess_at(const ScanTable& scan, const SeenPlace& place, double rate) const;
-  TwoExcesses spot_excess(const ScanTable& scan, const SeenPlace& place, double rate, bool far) const;
-  struct EarthBox {  // Around a place: the line of sight, and half its length and width [m].
-    Eigen::Vector2d along;
-    double down = 0.0, across = 0.0;
-  };
-  struct TwoCounts {
-    double all = 0.0, free = 0.0;
-    void take(const BinnedPoint& point, double kernel);
-  };
-  struct EarthCounts {  // Kernels of the whole length, of a third of it, and of a third about the line of the
-                        // returns.
-    TwoCounts wide, thin, line;
-  };
-  template <class Use>
-  void visit_earth(const SeenPlace& place, const EarthBox& box, const Use& use) const;
-  EarthCounts count_in_earth(const SeenPlace& place, const EarthBox& box) const;
-  TwoExcesses earth_excess(const ScanTable& scan, const SeenPlace& place, double rate) const;
   double background_at(const ScanTable& scan, const SeenPlace& place, double rate) const;
-  TwoExcesses frame_excess(const ScanTable& scan, const SeenPlace& place, double rate, bool corners) const;
   ExcessPrior sonar_prior() const;
   ExcessPrior earth_prior() const;
   double clear_around(const ScanTable& scan, const SeenPlace& place, double rate) const;
-  double views_of(const SeenPlace& place) const;
 
   ClutterMapParams params_;
   double range_reach_;  ///< [m].
-  std::int64_t leave_out_us_, spot_us_;
+  std::int64_t leave_out_us_;
   LookMemory memory_;
   TypicalRate typical_;
-  mutable std::vector<LookTime> times_;  ///< Of each look, for the scan at hand,
-  mutable double num_counted_ = 0.0;     ///< how many are counted,
-  mutable double num_far_ = 0.0;         ///< how many are far,
-  mutable double num_others_ = 0.0;      ///< and how many there are beside its own.
+  mutable LookTimes times_;  ///< Of the scan at hand.
+  SonarFrame sonar_;
+  EarthFrame earth_;
   DenseReturns sonar_dense_, earth_dense_;
 };
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 
 #include "csht/likelihood/clutter/clutter_density.hpp"
@@ -32,35 +32,18 @@ class FrameCounts {
   /// @param reaches from the sonar, @param last_reach of the fan [reaches].
   static Border border_at(const ScanTable& scan, double beam, double reaches, double last_reach);
 
-  /// Where a return lies in the frame.
-  struct Spot {
-    bool counts = false;                     ///< Neither in the middle nor outside.
-    bool beside = false;                     ///< On a side; else at an end.
-    std::size_t second = 0;                  ///< 0: left or nearer, 1: right or farther.
-    std::array<double, kWindows> windows{};  ///< Of a side: 1 for each window that holds it, else 0.
-  };
-  /// @param across beams to starboard of the place. @param along reaches beyond it.
-  static Spot spot_of(double across, double along) {
-    const double a = std::abs(across), b = std::abs(along);
-    if (a > kBeams || b > kReaches) return {};
-    if (a <= kMiddleBeams) return {b > kMiddleReaches, false, along < 0.0 ? 0U : 1U, {}};
-    const auto holds = [](bool it_does) { return it_does ? 1.0 : 0.0; };
-    return {true,
-            true,
-            across < 0.0 ? 0U : 1U,
-            {holds(along <= 0.0), holds(b <= kMiddleReaches), holds(along >= 0.0)}};
+  /// Number of the cell that a return lies in; what is in the middle or outside has cells that nothing reads.
+  /// @param across beams to starboard of the place. @param along reaches beyond it. @param before 1: it was
+  /// heard before the scan at hand, 0: after.
+  static std::size_t cell_of(float across, float along, std::size_t before) {
+    const float column = across * (1.0F / kColumnBeams) + 0.5F * static_cast<float>(kColumns) + 1.0F,
+                strip = along + 0.5F * static_cast<float>(kStrips) + 1.0F;
+    const auto c = static_cast<std::size_t>(std::clamp(column, 0.0F, static_cast<float>(kColumns) + 1.5F));
+    const auto s = static_cast<std::size_t>(std::clamp(strip, 0.0F, static_cast<float>(kStrips) + 1.5F));
+    return index_of(before, c, s);
   }
-
-  /// Takes a return in, at a spot that counts. @param before it was heard before the scan at hand, else
-  /// after.
-  void take(const Spot& spot, double weight, bool before) {
-    const std::size_t time = before ? 0 : 1;
-    if (!spot.beside) {
-      ends_[time][spot.second][0] += weight;
-      return;
-    }
-    for (std::size_t k = 0; k < kWindows; ++k) sides_[time][spot.second][k] += weight * spot.windows[k];
-  }
+  /// Takes a return in. @param cell see `cell_of`.
+  void take(std::size_t cell, double weight) { cells_[cell] += weight; }
 
   /// Returns that clutter alone brings to both sides, and to both ends. A moving target's trail lies on one
   /// side of the place in the scans before, and on the other in those after: where two sides differ by more
@@ -84,21 +67,28 @@ class FrameCounts {
   static constexpr double kToEnd = 0.5 * (kMiddleReaches + kReaches);  ///< See above.
 
  private:
+  // The frame has three columns over the beams and four strips over range, each a middle reach deep.
+  // Around them lies one more of each, for what is outside.
+  static constexpr std::size_t kLeft = 1, kMiddle = 2, kRight = 3, kColumns = 3;
+  static constexpr std::size_t kNear = 1, kFar = 4, kStrips = 4;
+  static constexpr std::size_t index_of(std::size_t before, std::size_t column, std::size_t strip) {
+    return (before * (kColumns + 2) + column) * (kStrips + 2) + strip;
+  }
+  static constexpr auto kColumnBeams = static_cast<float>(2.0 * kMiddleBeams);
+  static_assert(2.0 * kBeams == kColumns * 2.0 * kMiddleBeams, "the columns have one width");
   static constexpr std::size_t kLevel = 1;  // The window that lies level with the place.
-  template <std::size_t windows>
-  using Pair =
-      std::array<std::array<double, windows>, 2>;  // Two opposite sides: left and right, near and far.
-  template <std::size_t windows>
-  using Counts = std::array<Pair<windows>, 2>;  // Before and after.
+  struct Pair {                             // What two opposite sides have.
+    double one = 0.0, other = 0.0;
+  };
+  double cell(std::size_t before, std::size_t column, std::size_t strip) const {
+    return cells_[index_of(before, column, strip)];
+  }
+  double side(std::size_t before, std::size_t column, std::size_t window) const;
+  Pair sides(std::size_t before, std::size_t left, std::size_t right, const Border& border) const;
+  Pair ends(std::size_t before) const;
+  static double of_both(const Pair& pair);
 
-  template <std::size_t windows>
-  static double sum(const Counts<windows>& counts, std::size_t one, std::size_t other,
-                    std::array<bool, 2> beyond);
-  template <std::size_t windows>
-  static double richer(const Counts<windows>& counts, std::size_t window);
-
-  Counts<kWindows> sides_{};
-  Counts<1> ends_{};
+  std::array<double, 2 * (kColumns + 2) * (kStrips + 2)> cells_{};
 };
 
 /// What a frame of counts tells of the place in its middle.

@@ -40,8 +40,9 @@ bool LookMemory::add(const ScanTable& scan) {
   Look& look = next_look();
   look.utime = scan.utime;
   look.T_earth_sonar = scan.T_earth_sonar;
-  look.axis = scan.axis;
-  look.half_sector = static_cast<double>(scan.half_sector);
+  look.cos_axis = scan.cos_axis;
+  look.sin_axis = scan.sin_axis;
+  look.cos_half_sector = scan.cos_half_sector;
   look.max_range = scan.max_range;
   const std::size_t stride = scan.detections.size() / (limits_.most_returns + 1) + 1;
   for (std::size_t j = 0; j < scan.detections.size(); j += stride)
@@ -74,8 +75,10 @@ void LookMemory::take_return(const ScanTable& scan, const core::Detection& detec
   const float own = in_beam ? weight * scan.share[static_cast<std::size_t>(detection.beam) + 1] : weight;
   look.earth.push_back(
       {static_cast<float>(place.p_earth.x()), static_cast<float>(place.p_earth.y()), own, look.number});
-  look.in_sonar.push_back({static_cast<float>(place.beam),
-                           static_cast<float>(place.range / limits_.range_reach), own, look.number});
+  // Of beams too narrow for a float all returns but the axis's lie at the edges.
+  const double beam = std::clamp(place.beam, -1.0 * scan.num_beams, 1.0 * scan.num_beams);
+  look.in_sonar.push_back(
+      {static_cast<float>(beam), static_cast<float>(place.range / limits_.range_reach), own, look.number});
 }
 
 void LookMemory::sort_returns() {

@@ -25,11 +25,11 @@ SeenPlace seen_place(const ScanTable& scan, const Eigen::Vector2d& p_earth);
 
 /// What is kept of a scan.
 struct Look {
-  std::int64_t utime = 0;             ///< Of the scan [us].
-  int number = 0;                     ///< The first is 0; its points bear it.
-  core::Pose2 T_earth_sonar;          ///< Then.
-  double axis = 0.0;                  ///< Azimuth of the middle of its fan [rad].
-  double half_sector = 0.0;           ///< From there to its outer edges [rad].
+  std::int64_t utime = 0;                 ///< Of the scan [us].
+  int number = 0;                         ///< The first is 0; its points bear it.
+  core::Pose2 T_earth_sonar;              ///< Then.
+  double cos_axis = 1.0, sin_axis = 0.0;  ///< Of the azimuth of the middle of its fan.
+  double cos_half_sector = 0.0;       ///< Of the angle from there to its outer edges; -1 of the whole circle.
   double max_range = 0.0;             ///< [m].
   std::vector<BinnedPoint> earth;     ///< Its returns, north and east [m]. Their weights are those that hold.
   std::vector<BinnedPoint> in_sonar;  ///< The same in the same order, as beam and range [range reaches].
@@ -59,10 +59,6 @@ class LookMemory {
   const PointBins& earth() const { return earth_; }          ///< All returns, x north and y east [m].
   const PointBins& in_sonar() const { return in_sonar_; }    ///< All, x beams and y range [range reaches].
   std::size_t most_looks() const { return limits_.most_looks; }  ///< That there is room for.
-  /// Position of a point's look in `looks()`.
-  std::size_t index_of(const BinnedPoint& point) const {
-    return static_cast<std::size_t>(point.look - looks_.front().number);
-  }
   /// Where a point of the sonar's frame lies around the sonar of `scan`.
   SeenPlace place_around(const ScanTable& scan, const BinnedPoint& in_sonar) const;
 

@@ -19,6 +19,8 @@ class TypicalRate {
 
   /// The rate that is clearly no chance: `rate`, unless most of the fan has clearly less.
   double at_most(double rate) const;
+  /// `rate`, unless most of the fan has more.
+  double at_least(double rate) const { return rate > rate_ ? rate : rate_; }
 
  private:
   int across_ = 1;

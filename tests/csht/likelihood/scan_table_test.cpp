@@ -30,6 +30,20 @@ ScanTable with_figures(const SensorModelParams& model) {
   return table;
 }
 
+// Beam 1 is slot 2; a return behind it in the same beam and one beyond the fan have none.
+TEST(ScanTable, KeepsTheNearestReturnOfABeamInItsSlot) {
+  core::PosedScan posed = four_beams();
+  posed.scan.returns.push_back({core::radians(-5.0), 60.0});
+  posed.scan.returns.push_back({core::radians(40.0), 60.0});
+  ScanTable table;
+  fill_scan_table(posed, table);
+  EXPECT_EQ(slot_of(table, 0), 2U);
+  EXPECT_FALSE(slot_of(table, 1).has_value());
+  EXPECT_FALSE(slot_of(table, 2).has_value());
+  table.clutter = ClutterModel::point;
+  EXPECT_EQ(slot_of(table, 2), 2U);
+}
+
 TEST(ScanTable, LaysReturnsOutByBeamWithASlotAtEitherEnd) {
   ScanTable table;
   EXPECT_EQ(fill_scan_table(four_beams(), table), 0);

@@ -109,9 +109,12 @@ TEST(Configuration, ChoicesWithoutEffectAreRefused) {
 TEST(Configuration, AClutterMapIsPublishedByTrackersThatLearnOne) {
   Options options;
   options.clutter_every = 5.0;
-  EXPECT_EQ(idle(options), "");
-  options.tracker = "gnn";
-  EXPECT_NE(idle(options).find("--publish-clutter: has no effect on tracker gnn"), std::string::npos);
+  for (const char* learning : {"joint", "csht", "kalman", "gnn"}) {
+    options.tracker = learning;
+    EXPECT_EQ(idle(options), "") << learning;
+  }
+  options.tracker = "jipda";
+  EXPECT_NE(idle(options).find("--publish-clutter: has no effect on tracker jipda"), std::string::npos);
   options.tracker.clear();
   options.estimator = "h_pmht";
   EXPECT_EQ(idle(options).find("--publish-clutter: has no effect"), 0u);

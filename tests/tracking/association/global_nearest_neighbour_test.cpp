@@ -28,13 +28,14 @@ class GlobalNearestNeighbourTest : public testing::Test {
     core::SonarParams sonar;
     sonar.range_sigma = std::sqrt(0.5);
     sonar.bearing_sigma = std::sqrt(0.5);
-    return association_.assign({tracks_, detections_, use_track_, use_detection_}, sonar);
+    return association_.assign({tracks_, detections_, use_track_, use_detection_, worth_}, sonar);
   }
 
   GlobalNearestNeighbour association_{9.0};
   std::vector<core::Track> tracks_;
   std::vector<core::Detection> detections_;
   std::vector<char> use_track_, use_detection_;
+  std::vector<csht::ReturnWorth> worth_;
 };
 
 TEST_F(GlobalNearestNeighbourTest, TotalDistanceDecidesNotTheNearestPair) {
@@ -66,6 +67,20 @@ TEST_F(GlobalNearestNeighbourTest, LeavesOutWhatIsNotToBeUsed) {
   use_track_[0] = 0;
   use_detection_[1] = 0;
   EXPECT_EQ(assign(), (std::vector<int>{-1, 0}));
+}
+
+// Both at the same distance, 1; the second where false returns are exp(2) times as dense: 1 against 1 + 4.
+TEST_F(GlobalNearestNeighbourTest, WhatIsDenseIsFarther) {
+  add_track(0.0);
+  add_detection(-1.0);
+  add_detection(1.0);
+  worth_.resize(2);
+  worth_[0].penalty = 4.0;
+  EXPECT_EQ(assign(), (std::vector<int>{1}));
+  worth_[1].penalty = 8.5;
+  EXPECT_EQ(assign(), (std::vector<int>{0}));
+  worth_[0].penalty = 8.5;  // 9.5, beyond the gate
+  EXPECT_EQ(assign(), (std::vector<int>{-1}));
 }
 
 TEST_F(GlobalNearestNeighbourTest, EmptyScenesGiveEmptyAnswers) {

@@ -16,17 +16,17 @@ constexpr TrackLifeParams kLife{
 class OneByOne : public DetectionTracker {
  public:
   explicit OneByOne(std::unique_ptr<BirthMethod> births = nullptr)
-      : DetectionTracker(kLife, {}, std::move(births)) {}
+      : DetectionTracker(kLife, {}, {}, std::move(births)) {}
 
  private:
   void take(const core::PosedScan& scan, const core::SonarParams& /*sonar*/) override {
     book_.predict_to(scan.scan.utime, {});
-    for (std::size_t i = 0; i < std::min(supported_.size(), detections_.size()); ++i)
-      supported_[i] = 1, free_detection_[i] = 0;
+    for (std::size_t i = 0; i < std::min(book_.tracks().size(), detections().size()); ++i) give(i, i);
   }
-  void begin_on(const core::Detection& detection, const core::SonarParams& /*sonar*/) override {
+  void begin_on(const core::Detection& detection, const core::SonarParams& /*sonar*/,
+                double support) override {
     book_.begin(detection.utime, {detection.p_earth.x(), detection.p_earth.y(), 0.0, 0.0},
-                Eigen::Matrix4d::Identity());
+                Eigen::Matrix4d::Identity(), kFreeDetection, support);
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "tests/support/patch_sea.hpp"
 #include "tests/support/sonar_scene.hpp"
 
 namespace lookout::tracking {
@@ -34,10 +35,14 @@ TEST(GnnTracker, TwoTargetsKeepTheirIdentities) {
   GnnTracker tracker({}, {});
   std::span<const core::Track> tracks;
   for (int k = 0; k < 30; ++k)
-    tracks = tracker.update(scan_of(k, {{60.0, -20.0 + 0.5 * k}, {90.0, 20.0}}), {});
+    tracks = tracker.update(scan_of(k, {{60.0, -20.0 + 0.5 * k}, {90.0 - 0.5 * k, 20.0}}), {});
   ASSERT_EQ(tracks.size(), 2U);
   EXPECT_NEAR(tracks[0].state(1), -5.5, 0.5);
-  EXPECT_NEAR(tracks[1].state(1), 20.0, 0.5);
+  EXPECT_NEAR(tracks[1].state(0), 75.5, 0.5);
+}
+
+TEST(GnnTracker, LearnsWhereFalseReturnsAreDense) {
+  expect_map_finds_patch<GnnTracker, GnnParams>();
 }
 
 TEST(GnnTracker, RefusesParametersOutOfRange) {

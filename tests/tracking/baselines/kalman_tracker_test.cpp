@@ -4,10 +4,15 @@
 
 #include <stdexcept>
 
+#include "tests/support/patch_sea.hpp"
 #include "tests/support/sonar_scene.hpp"
 
 namespace lookout::tracking {
 namespace {
+
+TEST(KalmanTracker, LearnsWhereFalseReturnsAreDense) {
+  expect_map_finds_patch<KalmanTracker, KalmanParams>();
+}
 
 TEST(KalmanTracker, ConfirmsOnTheMthDetectionAndFollows) {
   KalmanTracker tracker({}, {});
@@ -24,7 +29,7 @@ TEST(KalmanTracker, ConfirmsOnTheMthDetectionAndFollows) {
 
 TEST(KalmanTracker, DropsATrackThatIsSilentForLong) {
   KalmanTracker tracker({}, {});
-  for (int k = 0; k < 40; ++k) tracker.update(scan_of(k, {{50.0, 0.0}}), {});
+  for (int k = 0; k < 40; ++k) tracker.update(scan_of(k, {{50.0 + 0.5 * k, 0.0}}), {});
   std::span<const core::Track> tracks;
   for (int k = 40; k < 46; ++k) tracks = tracker.update(scan_of(k, {}), {});
   EXPECT_EQ(tracks.size(), 1U);  // six misses are allowed

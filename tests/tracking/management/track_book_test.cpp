@@ -16,7 +16,7 @@ core::PosedScan scan_at(std::int64_t utime) {
 TEST(TrackBook, IdentitiesAreNeverUsedAgain) {
   TrackBook book({});
   book.begin(0, {50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
-  for (int k = 1; k <= 3; ++k) book.step(scan_at(k), {}, std::vector<char>(book.tracks().size(), 0));
+  for (int k = 1; k <= 3; ++k) book.step(scan_at(k), {}, std::vector<double>(book.tracks().size(), 0.0));
   ASSERT_TRUE(book.tracks().empty());
   book.begin(4, {50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
   EXPECT_EQ(book.tracks()[0].id, 2);
@@ -26,7 +26,7 @@ TEST(TrackBook, KeepsTheOthersWhenOneEnds) {
   TrackBook book({});
   for (const double north : {40.0, 60.0, 80.0})
     book.begin(0, {north, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
-  for (int k = 1; k <= 2; ++k) book.step(scan_at(k), {}, {1, 0, 1});
+  for (int k = 1; k <= 2; ++k) book.step(scan_at(k), {}, std::vector{1.0, 0.0, 1.0});
   ASSERT_EQ(book.tracks().size(), 2U);
   EXPECT_EQ(book.tracks()[0].id, 1);
   EXPECT_EQ(book.tracks()[1].id, 3);
@@ -36,7 +36,7 @@ TEST(TrackBook, KeepsTheOthersWhenOneEnds) {
 TEST(TrackBook, OutsideTheSectorATrackCoasts) {
   TrackBook book({});
   book.begin(0, {-50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());  // behind the vehicle
-  book.step(scan_at(1), {}, {1});
+  book.step(scan_at(1), {}, std::vector{1.0});
   ASSERT_EQ(book.tracks().size(), 1U);
   EXPECT_EQ(book.tracks()[0].status, core::TrackStatus::coasting);
 }
@@ -49,7 +49,8 @@ TEST(TrackBook, TellsWhatItDecidesWithItsCounts) {
             ", " + decision.reason + "\n";
   });
   book.begin(0, {50.0, 0.0, 0.0, 0.0}, Eigen::Matrix4d::Identity());
-  for (int k = 1; k <= 4; ++k) book.step(scan_at(k), {}, std::vector<char>(book.tracks().size(), k == 1));
+  for (int k = 1; k <= 4; ++k)
+    book.step(scan_at(k), {}, std::vector<double>(book.tracks().size(), k == 1 ? 1.0 : 0.0));
   EXPECT_EQ(told,
             "0 begin, supported in 1 of 1 scans, a detection that no track took\n"
             "1 confirm, supported in 2 of 2 scans, supported often enough since its beginning\n"

@@ -12,13 +12,13 @@ using core::TrackStatus;
 constexpr TrackLifeParams kTwoOfThree{.confirm_hits = 2, .confirm_scans = 3};
 
 TrackLife::Evidence hit(std::int64_t utime) {
-  return {utime, true, true};
+  return {utime, 1.0, true};
 }
 TrackLife::Evidence miss(std::int64_t utime) {
-  return {utime, false, true};
+  return {utime, 0.0, true};
 }
 TrackLife::Evidence outside(std::int64_t utime) {
-  return {utime, false, false};
+  return {utime, 0.0, false};
 }
 
 TEST(TrackLife, OneHitConfirmsWhereOneIsAskedFor) {
@@ -38,6 +38,39 @@ TEST(TrackLife, EndsWhenMCanNoLongerBeReached) {
   TrackLife life(kTwoOfThree, 0);
   life.step(kTwoOfThree, miss(1));
   life.step(kTwoOfThree, miss(2));
+  EXPECT_TRUE(life.ended());
+}
+
+TrackLife::Evidence part(std::int64_t utime) {
+  return {utime, 0.25, true};
+}
+
+// 1 + 3 x .25 are less than 2, 1 + 4 x .25 are not; none of the four is a scan without support.
+TEST(TrackLife, HitsAmongDenseReturnsConfirmMoreSlowly) {
+  TrackLife life(kTwoOfThree, 0);
+  for (int k = 1; k <= 3; ++k) life.step(kTwoOfThree, part(k));
+  EXPECT_EQ(life.status(), TrackStatus::tentative);
+  EXPECT_FALSE(life.ended());
+  life.step(kTwoOfThree, part(4));
+  EXPECT_EQ(life.status(), TrackStatus::confirmed);
+}
+
+TEST(TrackLife, AFirstHitAmongDenseReturnsCountsForItsPart) {
+  TrackLife life(kTwoOfThree, 0, 0.25);
+  life.step(kTwoOfThree, hit(1));
+  EXPECT_EQ(life.status(), TrackStatus::tentative);
+  life.step(kTwoOfThree, hit(2));
+  EXPECT_EQ(life.status(), TrackStatus::confirmed);
+}
+
+// Misses in a row m follow (1 - .25) (m + 1): .75, 1.3125, 1.73, ... up to 3.
+TEST(TrackLife, SupportAmongDenseReturnsTakesBackAPartOfTheMisses) {
+  constexpr TrackLifeParams kTwoMisses{.max_misses = 2.0, .first_misses = 2.0};
+  TrackLife life(kTwoMisses, 0);
+  for (int k = 1; k <= 3; ++k) life.step(kTwoMisses, part(k));
+  EXPECT_DOUBLE_EQ(life.misses(), 0.75 * (1.3125 + 1.0));
+  EXPECT_FALSE(life.ended());
+  life.step(kTwoMisses, part(4));
   EXPECT_TRUE(life.ended());
 }
 

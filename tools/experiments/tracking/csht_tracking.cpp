@@ -116,7 +116,10 @@ std::unique_ptr<tracking::ScanPipeline> pipeline_of(const Cell& cell, const sona
                                                     std::uint64_t seed) {
   tracking::ChainParams params;
   params.tracker.name = cell.method == kPrinted ? "csht" : cell.method;
-  if (cell.method == kPrinted) params.estimator.name = kPrinted;
+  if (cell.method == kPrinted) {
+    params.estimator.name = kPrinted;
+    params.tracker.own["csht"]["clutter.map.enabled"] = 0.0;  // the paper has no map
+  }
   params.seed = seed;
   params.estimator.window_scans = static_cast<int>(cell.parameters.number("window_scans"));
   core::SonarParams sonar = sonar_sim::known_params(scene, scene.platforms[0]);
@@ -182,6 +185,7 @@ class CshtTracking : public Experiment {
  private:
   static void write_truth_of(const std::vector<TimedScan>& scans, const std::string& path) {
     std::vector<core::GroundTruth> truth;
+    truth.reserve(scans.size());
     for (const auto& scan : scans) truth.push_back(scan.truth);
     core::write_truth(path, truth);
   }

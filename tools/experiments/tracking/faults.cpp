@@ -344,15 +344,19 @@ class Faults : public Experiment {
   }
 
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
-    return rehearse(cell.parameters.text("fault"), seed, run, true);
+    return rehearse(cell.parameters.text("fault"), run_without_fault(seed, run), seed, run, true);
   }
 };
 
 }  // namespace
 
-Metrics rehearse(const std::string& fault, std::uint64_t seed, int run, bool with_fresh) {
+FaultedRun run_without_fault(std::uint64_t seed, int run) {
+  return run_through({}, load_variant(kScene, {}), seed, run);
+}
+
+Metrics rehearse(const std::string& fault, const FaultedRun& clean, std::uint64_t seed, int run,
+                 bool with_fresh) {
   const sonar_sim::Scene scene = load_variant(kScene, {});
-  const FaultedRun clean = run_through({}, scene, seed, run);
   if (fault == "none") return figures(fault, {}, clean, clean);
   const FaultPlan plan = shipped_plan(fault);
   Metrics metrics = figures(fault, plan, run_through(plan, scene, seed, run), clean);
@@ -365,6 +369,7 @@ Metrics rehearse(const std::string& fault, std::uint64_t seed, int run, bool wit
 
 std::vector<std::string> fault_names() {
   std::vector<std::string> names;
+  names.reserve(kCases.size());
   for (const auto& fault : kCases) names.emplace_back(fault.name);
   return names;
 }

@@ -22,10 +22,15 @@ std::vector<std::string> fault_names();
 /// The counts that a run of a shipped plan must end with. @throws core::InputError for another name.
 ExpectedCounts expected_counts(const std::string& name, const FaultedRun& run);
 
+/// One run of the scene without a fault, beside which all faults of the run are judged.
+FaultedRun run_without_fault(std::uint64_t seed, int run);
+
 /// One run of a shipped plan, or of `none`, beside the same run without fault: the figures of the table.
+/// @param clean the run without fault, of the same seed and number.
 /// @param with_fresh `fresh_s` too, the recovery of a tracker that is switched on at the fault's end.
 /// @throws core::InputError for another name.
-Metrics rehearse(const std::string& fault, std::uint64_t seed, int run, bool with_fresh);
+Metrics rehearse(const std::string& fault, const FaultedRun& clean, std::uint64_t seed, int run,
+                 bool with_fresh);
 
 /// `faults`: Table 7's scene through every fault: what the tracker counts, how wrong it is meanwhile and
 /// afterwards, and when it has recovered.

@@ -10,8 +10,8 @@
 #include "core/files/recording.hpp"
 #include "tools/cli/configuration.hpp"
 #include "tools/cli/paths.hpp"
+#include "tools/experiments/tracking/boat_score.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"
-#include "tracking/metrics/track_quality.hpp"
 #include "tracking/tracker_registry.hpp"
 
 namespace lookout::tools {
@@ -62,34 +62,23 @@ std::vector<TimedScan> timed_scans(const core::Recording& recording) {
 }
 
 /// Which scans have a return near the target.
-std::vector<char> heard_near(const std::vector<TimedScan>& scans, std::int32_t id, double radius) {
+std::vector<char> heard_near_target(const std::vector<TimedScan>& scans, std::int32_t id, double radius) {
   std::vector<char> heard;
   for (const auto& scan : scans) {
     const auto target = std::find_if(scan.truth.targets.begin(), scan.truth.targets.end(),
                                      [&](const auto& candidate) { return candidate.id == id; });
-    const auto& returns = scan.posed.scan.returns;
-    heard.push_back(target != scan.truth.targets.end() &&
-                    std::any_of(returns.begin(), returns.end(), [&](const core::SonarReturn& sonar_return) {
-                      const auto p_sonar = core::from_polar(sonar_return.range, sonar_return.bearing);
-                      const auto p_earth = core::transform(scan.posed.T_earth_sonar, p_sonar);
-                      return (p_earth - target->position).norm() <= radius;
-                    }));
+    heard.push_back(target != scan.truth.targets.end() && heard_near(scan.posed, target->position, radius));
   }
   return heard;
 }
 
-Metrics metrics_of(const tracking::TrackQualityResult& result) {
-  Metrics metrics{{"followed_share", result.followed_share},
-                  {"identities", result.identities},
-                  {"identity_switches", result.identity_switches},
-                  {"mean_tracks", result.mean_tracks}};
-  for (const auto& target : result.targets) {
-    const std::string suffix = "_target" + std::to_string(target.id);
-    metrics["followed_share" + suffix] = target.followed_share();
-    metrics["identities" + suffix] = target.identities;
-    if (target.median_error) metrics["median_error_m" + suffix] = *target.median_error;
-  }
-  return metrics;
+/// The tracks that a tracker has where it is told to leave out what stands still over ground.
+TracksOfScans tracks_of_movers(const Cell& cell, const RadarRecording& recording, std::uint64_t seed) {
+  tracking::ChainParams params;
+  params.tracker.name = cell.method;
+  params.tracker.report_standing = false;
+  params.seed = seed;
+  return track(*tracking::make_pipeline(params, recording.sonar), recording.scans).tracks;
 }
 
 class Recordings : public Experiment {
@@ -119,15 +108,28 @@ class Recordings : public Experiment {
     const auto recording = load_radar_recording(static_cast<int>(cell.parameters.number("scenario")));
     const auto pipeline = pipeline_of(cell.method, recording.sonar, run_seed(seed, run));
     const TrackingOutput output = track(*pipeline, recording.scans);
-    tracking::TrackQuality quality({.gate = recording.gate});
-    for (std::size_t k = 0; k < recording.scans.size(); ++k)
-      quality.add(recording.scans[k].truth, output.tracks[k]);
-    Metrics metrics = metrics_of(quality.result());
+    const BoatScoreParams params{.gate = recording.gate};
+    Metrics metrics = follow_metrics(recording.scans, output.tracks, params);
+    metrics["ospa_near"] = ospa_near(recording.scans, output.tracks, params);
+    metrics.merge(silences(recording.scans, output.tracks, params));
+    if (draws(cell.method)) metrics.merge(joint_metrics(cell, recording, run_seed(seed, run), output.tracks));
     metrics["time_ms"] = output.time_ms;
     return metrics;
   }
 
  private:
+  /// What is asked of `joint` alone: its errors beside those of `kalman`, and its tracks without what stands.
+  static Metrics joint_metrics(const Cell& cell, const RadarRecording& recording, std::uint64_t seed,
+                               const TracksOfScans& tracks) {
+    const BoatScoreParams params{.gate = recording.gate};
+    const auto rival = track(*pipeline_of("kalman", recording.sonar, seed), recording.scans).tracks;
+    Metrics metrics = excess_errors(recording.scans, tracks, rival, params);
+    const Metrics moving = follow_metrics(recording.scans, tracks_of_movers(cell, recording, seed), params);
+    metrics["followed_share_moving"] = moving.at("followed_share");
+    metrics["mean_tracks_moving"] = moving.at("mean_tracks");
+    return metrics;
+  }
+
   /// On a recording the others give the same tracks in every run.
   static bool draws(const std::string& method) { return method == "joint"; }
 };
@@ -142,6 +144,7 @@ std::string missing_radar_recordings() {
 
 std::vector<int> radar_scenarios() {
   std::vector<int> numbers;
+  numbers.reserve(kScenarios.size());
   for (const auto& scenario : kScenarios) numbers.push_back(scenario.number);
   return numbers;
 }
@@ -163,7 +166,7 @@ void mark_in_sight(std::vector<TimedScan>& scans, const InSightParams& params) {
   }
   const auto length = static_cast<std::size_t>(params.stretch_scans);
   for (auto& [id, interval] : in_sight) {
-    const auto heard = heard_near(scans, id, params.radius);
+    const auto heard = heard_near_target(scans, id, params.radius);
     bool found = false;
     for (std::size_t first = 0; first + length <= heard.size(); ++first) {
       const auto begin = heard.begin() + static_cast<std::ptrdiff_t>(first);

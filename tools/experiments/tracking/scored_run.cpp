@@ -1,5 +1,7 @@
 #include "tools/experiments/tracking/scored_run.hpp"
 
+#include <numeric>
+
 #include "core/random.hpp"
 #include "tools/cli/thread_time.hpp"
 #include "tracking/metrics/scorer.hpp"
@@ -21,16 +23,16 @@ std::unique_ptr<tracking::ScanPipeline> pipeline_of(const std::string& tracker,
 
 TrackingOutput track(tracking::ScanPipeline& pipeline, const std::vector<TimedScan>& scans, double lag_s) {
   TrackingOutput output;
-  double spent_ms = 0.0;
   for (const auto& scan : scans) {
     const double start_ms = thread_time_ms();
     auto tracks = pipeline.step(scan.posed).tracks;
     const std::int64_t asked = scans[output.tracks.size()].truth.utime;
     const bool due = scan.truth.utime - asked >= core::microseconds(lag_s);
     if (due && lag_s > 0.0) tracks = pipeline.retrodict(asked);
-    spent_ms += thread_time_ms() - start_ms;
+    output.times_ms.push_back(thread_time_ms() - start_ms);
     if (due) output.tracks.emplace_back(tracks.begin(), tracks.end());
   }
+  const double spent_ms = std::accumulate(output.times_ms.begin(), output.times_ms.end(), 0.0);
   output.time_ms = scans.empty() ? 0.0 : spent_ms / static_cast<double>(scans.size());
   return output;
 }

@@ -17,7 +17,8 @@ namespace lookout::tools {
 struct TrackingOutput {
   /// Index by index with the scans; fewer under delayed output, whose last scans have no answer in time.
   std::vector<std::vector<core::Track>> tracks;
-  double time_ms = 0.0;  ///< Mean processor time of one update [ms].
+  std::vector<double> times_ms;  ///< Processor time of each update [ms],
+  double time_ms = 0.0;          ///< and their mean.
 };
 
 /// The seed of a tracker in one run of an experiment, of a stream that the simulator does not use.

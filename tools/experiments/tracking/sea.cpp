@@ -4,6 +4,9 @@
 #include <string>
 
 #include "core/frames.hpp"
+#include "tools/experiments/harness/quantiles.hpp"
+#include "tools/experiments/harness/report.hpp"
+#include "tools/experiments/tracking/clutter_picture.hpp"
 #include "tools/experiments/tracking/scored_run.hpp"
 #include "tools/experiments/tracking/sea_scene.hpp"
 #include "tools/experiments/tracking/sensor_knowledge.hpp"
@@ -18,6 +21,7 @@ constexpr double kSettled = 10.0;  // s: scores are from then on
 constexpr double kLater = 25.0;    // s: and once more from then on, as *_later
 constexpr int kJointRuns = 30;
 constexpr int kRivalRuns = 5;
+constexpr double kHighQuantile = 0.99;  // Of the processor times of a run's scans.
 
 Cell make_cell(const SeaSetting& setting, const std::string& method, const char* figures) {
   Cell cell;
@@ -63,6 +67,36 @@ double mean_tracks(const TrackingOutput& output) {
   return confirmed / static_cast<double>(output.tracks.size());
 }
 
+sonar_sim::Scene scene_of(const Cell& cell, std::uint64_t seed, int run) {
+  return sea_scene({cell.parameters.text("condition"), cell.parameters.text("targets"),
+                    cell.parameters.number("p_false_alarm"), cell.parameters.number("p_miss")},
+                   seed, run);
+}
+
+std::unique_ptr<tracking::ScanPipeline> pipeline_of(const Cell& cell, const sonar_sim::Scene& scene,
+                                                    std::uint64_t seed, int run) {
+  tracking::ChainParams params;
+  params.tracker.name = cell.method;
+  params.tracker.report_standing = false;
+  params.seed = run_seed(seed, run);
+  return tracking::make_pipeline(params, told(cell, scene, seed, run));
+}
+
+/// What the methods of these cells, of one scene, have learnt of its clutter at the end of the first run;
+/// those that learn none are left out.
+std::vector<LearntClutter> learnt_clutter(const std::vector<Cell>& cells, const sonar_sim::Scene& scene,
+                                          std::uint64_t seed) {
+  const auto scans = simulate(scene, seed, 0);
+  std::vector<LearntClutter> learnt;
+  for (const Cell& cell : cells) {
+    const auto pipeline = pipeline_of(cell, scene, seed, 0);
+    if (!pipeline->learns_clutter()) continue;
+    track(*pipeline, scans);
+    if (auto grid = pipeline->clutter_grid()) learnt.push_back({cell.method, std::move(*grid)});
+  }
+  return learnt;
+}
+
 class Sea : public Experiment {
  public:
   std::string summary() const override {
@@ -70,6 +104,7 @@ class Sea : public Experiment {
            "heading";
   }
   std::string scenario() const override { return "tools/scenarios/sea_CONDITION.yaml, targets drawn by run"; }
+  std::string plot_script() const override { return "plot_sea.py"; }
 
   std::vector<Cell> cells() const override {
     std::vector<Cell> cells;
@@ -83,22 +118,37 @@ class Sea : public Experiment {
   }
 
   Metrics run(const Cell& cell, std::uint64_t seed, int run) const override {
-    const auto scene = sea_scene({cell.parameters.text("condition"), cell.parameters.text("targets"),
-                                  cell.parameters.number("p_false_alarm"), cell.parameters.number("p_miss")},
-                                 seed, run);
+    const auto scene = scene_of(cell, seed, run);
     const auto scans = simulate(scene, seed, run);
-    tracking::ChainParams params;
-    params.tracker.name = cell.method;
-    params.tracker.report_standing = false;
-    params.seed = run_seed(seed, run);
-    const auto pipeline = tracking::make_pipeline(params, told(cell, scene, seed, run));
+    const auto pipeline = pipeline_of(cell, scene, seed, run);
     const auto output = track(*pipeline, scans);
     Metrics metrics = score_from(kSettled, scans, output);
     const Metrics later = score_from(kLater, scans, output);
     for (const char* name : {"ospa", "false_per_100s"})
       metrics[std::string(name) + "_later"] = later.at(name);
     metrics["num_tracks"] = mean_tracks(output);
+    metrics["time_ms_median"] = median(output.times_ms);
+    metrics["time_ms_p99"] = quantile(output.times_ms, kHighQuantile);
     return metrics;
+  }
+
+  /// Of each condition the true density of false returns and what was learnt of it in the first run.
+  void write_extras(const Drawn& drawn) const override {
+    for (const std::string condition : sea_conditions()) {
+      const Parameters wanted{{"condition", condition},
+                              {"targets", "near"},
+                              {"p_false_alarm", kProbabilities[0]},
+                              {"p_miss", kProbabilities[0]},
+                              {"sensor_figures", "unknown"}};
+      const Cell& cell = nearest_cell(drawn.cells, wanted);
+      if (cell.parameters.text("condition") != condition) continue;
+      const auto scene = scene_of(cell, drawn.seed, 0);
+      const auto learnt = learnt_clutter(drawn.like(cell), scene, drawn.seed);
+      if (learnt.empty()) continue;
+      write_clutter(true_clutter(scene, drawn.seed, 0, learnt.front().grid), learnt,
+                    drawn.directory + "/clutter_" + condition + ".csv");
+      write_pictured(cell, drawn, 1, "clutter_" + condition);
+    }
   }
 };
 

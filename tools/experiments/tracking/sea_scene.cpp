@@ -11,9 +11,9 @@
 namespace lookout::tools {
 namespace {
 
-constexpr std::array kConditions{"uniform",    "spill",        "patch",        "bottom", "rocks",
-                                 "wall",       "quay",         "dropout",      "burst",  "heavy_tails",
-                                 "range_loss", "heading_bias", "heading_walk", "all"};
+constexpr std::array kConditions{"uniform",    "spill",     "patch",        "bottom",       "rocks",
+                                 "wall",       "quay",      "dropout",      "burst",        "heavy_tails",
+                                 "range_loss", "swerling1", "heading_bias", "heading_walk", "all"};
 constexpr std::array kTargets{"staying", "near"};
 constexpr std::array kAppear{0.0, 0.0, 10.0, 20.0};   // s
 constexpr double kNearest = 40.0, kFarthest = 150.0;  // m

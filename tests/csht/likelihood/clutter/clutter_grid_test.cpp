@@ -37,7 +37,7 @@ core::ClutterGrid learnt(double speed) {
     for (int beam = 0; beam < 90; ++beam)
       if (beam != 20 && beam != 45 && random.bernoulli(0.1))
         returns.push_back(in_beam(beam, random.uniform(0.1, 150.0)));
-    history.push(posed_scan(returns, 500'000 * k, {north, 0.0, 0.0}));
+    history.push(posed_scan(returns, 500'000L * k, {north, 0.0, 0.0}));
     map.learn(history.newest(), std::vector<double>(history.newest().detections.size()), kRate);
     map.add(history.newest());
   }

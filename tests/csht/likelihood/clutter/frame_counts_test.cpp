@@ -11,8 +11,8 @@ namespace {
 constexpr FrameCounts::Border kInside{};
 
 void take(FrameCounts& frame, double across, double along, double weight, bool before) {
-  const FrameCounts::Spot spot = FrameCounts::spot_of(across, along);
-  if (spot.counts) frame.take(spot, weight, before);
+  frame.take(FrameCounts::cell_of(static_cast<float>(across), static_cast<float>(along), before ? 1 : 0),
+             weight);
 }
 
 // One return in each unit of area of the frame's sides: as many as the area has.

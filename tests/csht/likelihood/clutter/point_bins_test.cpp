@@ -10,6 +10,7 @@ namespace {
 std::vector<BinnedPoint> scattered(int count, double width) {
   core::Random random(7);
   std::vector<BinnedPoint> points;
+  points.reserve(static_cast<std::size_t>(count));
   for (int k = 0; k < count; ++k)
     points.push_back({static_cast<float>(random.uniform(-width, width)),
                       static_cast<float>(random.uniform(-width, width)), 1.0F, k});

@@ -27,6 +27,13 @@ TEST(TypicalRate, IsTheRateOfAnEvenFan) {
   EXPECT_NEAR(taught(60, 9.0, 0.0).at_most(1e3), 1.3 * 9.0, 1.3 * 0.9);
 }
 
+TEST(TypicalRate, ALowerRateIsRaisedToIt) {
+  const TypicalRate typical = taught(60, 9.0, 0.0);
+  EXPECT_NEAR(typical.at_least(1.0), 9.0, 0.9);
+  EXPECT_EQ(typical.at_least(20.0), 20.0);
+  EXPECT_EQ(TypicalRate().at_least(1.0), 1.0);  // nothing is known yet
+}
+
 // Four scans leave most blocks empty, 36 returns for 128: 17 % are three standard errors, sqrt(e^m - 1) /
 // sqrt(128).
 TEST(TypicalRate, IsKnownAfterAFewScans) {
