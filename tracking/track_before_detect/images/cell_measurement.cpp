@@ -17,7 +17,8 @@ constexpr double kLongestStep = 1.5;          // [signatures] of one iteration
 constexpr double kReach = 3.0;                // [signatures] of a target beyond which it gives nothing
 constexpr double kUnrestMemory = 0.85;        // per frame
 constexpr double kMostSurprise = 8.0;         // that one frame counts for
-constexpr int kSettledAge = 6;  // frames of a track, from which on it says how measured places scatter
+constexpr double kTurning = 0.2;  // probability of a straight course below which the filter follows the turn
+constexpr int kSettledAge = 6;    // frames of a track, from which on it says how measured places scatter
 
 bool odd(int n) {
   return n >= 1 && n % 2 == 1;
@@ -169,10 +170,10 @@ void CellMeasurement::correct(const ScaledFrame& scaled, const CellGeometry& geo
       (sums.first.array() / (sums.intensity * kept)).cwiseMax(-longest).cwiseMin(longest);
   const Eigen::Vector2d measured = cloud.mean + step.matrix();
   cloud.stated = params_.variance_factor * scaled.correlation * sums.noise / (sums.intensity * kept).square();
-  const Eigen::Array2d noise = scatter_.factor(cloud.scale) * cloud.stated;
+  cloud.noise = scatter_.factor(cloud.scale) * cloud.stated;
   const Eigen::Matrix<double, 4, 2> PH = cloud.covariance.leftCols<2>() * cloud.view.jacobian.transpose();
   Eigen::Matrix2d S = cloud.view.jacobian * PH.topRows<2>();
-  S.diagonal() += noise.matrix();
+  S.diagonal() += cloud.noise.matrix();
   const Eigen::Matrix2d S_inverse = S.inverse();
   cloud.innovation = measured - cloud.view.cell;
   const double distance = cloud.innovation.dot(S_inverse * cloud.innovation);
@@ -182,7 +183,7 @@ void CellMeasurement::correct(const ScaledFrame& scaled, const CellGeometry& geo
   track.state = cloud.predicted + gain * cloud.innovation;
   track.covariance = cloud.covariance - gain * PH.transpose();
   track.covariance = (0.5 * (track.covariance + track.covariance.transpose())).eval();
-  track.error = error_after(cloud.error, gain, cloud.view.jacobian, noise);
+  track.error = error_after(cloud.error, gain, cloud.view.jacobian, cloud.noise);
   cloud.mean = scaled.to_scale(geometry.observe(track.state.head<2>())).cell;
 }
 
@@ -192,7 +193,11 @@ void CellMeasurement::finish(const Cloud& cloud, CellTrack& track) {
   if (!cloud.active) return;
   track.intensity += (1.0 - params_.intensity_memory) * (cloud.intensity - track.intensity);
   track.unrest += (1.0 - kUnrestMemory) * (std::min(cloud.surprise, kMostSurprise) - track.unrest);
-  if (cloud.found) return learn_scatter(cloud, track);
+  if (cloud.found) {
+    track.course.update({cloud.predicted.head<2>(), cloud.view.jacobian, cloud.innovation, cloud.noise});
+    if (track.course.begun() && track.course.straight() < kTurning) track.state = track.course.merged().mean;
+    return learn_scatter(cloud, track);
+  }
   track.state = cloud.predicted;
   track.covariance = cloud.covariance;
   track.error = cloud.error;

@@ -24,7 +24,7 @@ struct CellMeasurementParams {
   double threshold = 1.2;         ///< Amplitudes at or below are dark [background level], >= 0.
   double intensity_memory = 0.5;  ///< Share of the old intensity in the smoothed one, in [0, 1).
   double min_intensity = 0.5;     ///< Below it a frame measures nothing [background level^2], > 0.
-  double systematic = 0.04;       ///< Error that does not average out [signatures], >= 0.
+  double systematic = 0.01;       ///< Error that does not average out [signatures], >= 0.
   double gate = 16.0;             ///< Chi-square gate of the innovation, > 0.
   /// Of the measured position's variance over what the cells' noise alone gives, > 0.
   double variance_factor = 0.42;
@@ -71,6 +71,7 @@ class CellMeasurement {
     double intensity = 0.0;      ///< Present lambda_k.
     double surprise = 1.0;       ///< Squared innovation over its expectation.
     Eigen::Vector2d innovation;  ///< Measured less predicted place [cells of the scale].
+    Eigen::Array2d noise;        ///< Variance of the measured place [cells^2].
     Eigen::Array2d stated;  ///< Variance of the measured place for the noise of the cells alone [cells^2].
     CellWindow gate;
     AxisIntegrals x, y;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tracking/track_before_detect/images/cell_geometry.hpp"
+#include "tracking/track_before_detect/images/course_mixture.hpp"
 #include "tracking/track_before_detect/intensity_frame.hpp"
 
 namespace lookout::tracking {
@@ -17,8 +18,8 @@ struct CellTrack {
   Eigen::Vector4d state{0, 0, 0, 0};  ///< Position, velocity; of a sonar image north, east [m, m/s].
   /// Of `state` for a target that turns as much as the filter allows for: what gates and gains follow.
   Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
-  /// Of the error of `state` for a target that turns as targets mostly do, under the same gains: what is
-  /// published, but for `systematic`.
+  /// Of the error of `state` for a target that turns as targets mostly do, under the same gains: what
+  /// innovations are held against, and published until the course is known.
   Eigen::Matrix4d error = Eigen::Matrix4d::Zero();
   double existence = 0.0;        ///< Probability that there is a target.
   double intensity = 0.0;        ///< Smoothed lambda [background level].
@@ -40,6 +41,8 @@ struct CellTrack {
   double whole_time = 0.0;               ///< And since when its way is judged [s].
   double last_detection_time = 0.0;      ///< When its block last ranked in the best twentieth [s].
   double outside_since = 0.0;            ///< [s], while not inside.
+
+  CourseMixture course;  ///< Of what is believed to be a target: published, `systematic` added.
 
   static constexpr double kRestless = 2.2;        ///< Unrest at which it begins to count as agile.
   static constexpr std::size_t kMostScales = 64;  ///< That a frame is looked at in.

@@ -19,6 +19,7 @@ constexpr double kStandingExistence =
 constexpr double kSameVelocity = 16.0;  // chi-square at four degrees of freedom
 constexpr double kAgile = 5.0;          // unrest at which a target counts as agile wholly
 constexpr double kBirthSigmas = 2.0;    // [signatures] of a new track's position before it is measured
+constexpr double kBelieved = 0.5;       // existence at which a track's course is followed
 constexpr double kLosing = 0.1;         // share of a new track's existence at which it is given up
 
 }  // namespace
@@ -76,6 +77,7 @@ void CellTracker::predict(double time) {
     track.state = (F * track.state).eval();
     track.covariance = (F * track.covariance * F.transpose() + density * noise).eval();
     track.error = (F * track.error * F.transpose() + params_.motion.usual_share * density * noise).eval();
+    track.course.predict(step, density, params_.course);
     track.existence *= survival;
     ++track.age;
   }
@@ -157,6 +159,8 @@ void CellTracker::judge(const CellGeometry& geometry, double time) {
     if (!view.inside) continue;
     track.whole = is_whole(track, view);
     evidence_.judge_existence(track, ratios_[k], time);
+    if (!track.course.begun() && track.existence > kBelieved)
+      track.course.begin(track.state, track.error, params_.course);
     standing_.judge_motion(scales_, geometry, time, track);
     if (track.measured) judge_scale(scales_, view, track);
     set_systematic(track, view);

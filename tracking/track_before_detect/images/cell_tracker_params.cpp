@@ -59,6 +59,7 @@ void check(const CellTrackerParams& params) {
   check(params.scales);
   check(params.measurement);
   check(params.motion);
+  check(params.course);
   check(params.existence);
   check(params.standing);
 }
