@@ -23,7 +23,7 @@ struct CellExistenceParams {
   double rank_exponent = 0.15;    ///< a: ranks of targets have density a p^(a - 1), in (0, 1).
   double least_probability = 1e-6;   ///< A block less probable than this says no more, in (0, 1).
   double lifetime = 25.0;            ///< Mean time that a target lasts [s], > 0.
-  double confirm_existence = 0.99;   ///< In (0, 1).
+  double confirm_existence = 0.995;  ///< In (0, 1).
   double most_existence = 0.99999;   ///< No track is surer, in (0, 1).
   int min_age = 1;                   ///< Frames after its first before a track is confirmed, >= 0.
   double delete_confirmed = 0.02;    ///< Existence below which a confirmed track ends.

@@ -9,13 +9,12 @@
 namespace lookout::tracking {
 namespace {
 
-constexpr double kWidthOfDeviation = 2.3548;  // full width at half amplitude of a normal density
-constexpr double kNextScale = 1.42;           // half of the way to the next scale, as a ratio
-constexpr double kSpeedMargin = 4.0 / 3.0;    // of an estimate over the fastest target
-constexpr double kStartSpeedShare =
-    0.5;  // of the fastest target: deviation of a velocity anywhere in its disc
-constexpr double kMovingSpeedShare = 0.5;  // and of the velocity of what moves, against what stands
-constexpr double kSlowestShare = 0.1;      // and the slowest target, where it is not told
+constexpr double kWidthOfDeviation = 2.3548;    // full width at half amplitude of a normal density
+constexpr double kNextScale = 1.42;             // half of the way to the next scale, as a ratio
+constexpr double kSpeedMargin = 4.0 / 3.0;      // of an estimate over the fastest target
+constexpr double kStartSpeedShare = 1.0 / 3.0;  // of the fastest target: deviation of an unknown velocity
+constexpr double kMovingSpeedShare = 0.5;       // and of the velocity of what moves, against what stands
+constexpr double kSlowestShare = 0.1;           // and the slowest target, where it is not told
 
 std::unique_ptr<CellTargetTracker> make_targets(std::string_view method, const InstrumentParams& instrument) {
   if (method == "h_pmht") return std::make_unique<CellTracker>(sonar_tracker_params(instrument));
