@@ -32,12 +32,13 @@ double log_volume(const CloudMoments& moments) {
          2.0 * std::log(2.0 * std::numbers::pi);
 }
 
-// Whether a scan of that age is priced anew: after `every` scans each time, later after a quarter to a half
-// of its age, for the more scans judge a place the less one more changes.
+// Whether a scan of that age is priced anew: four times after `every` scans, then whenever its age has
+// doubled, for the more scans judge a place the less one more changes.
 bool is_due(int age, int every) {
-  int step = every;
-  while (4 * step <= age) step *= 2;
-  return age % step == 0;
+  int due = 4 * every;
+  if (age <= due) return age % every == 0;
+  while (due < age) due *= 2;
+  return due == age;
 }
 
 }  // namespace
