@@ -12,7 +12,7 @@ namespace {
 
 TEST(ScanHistory, KeepsTheLatestScans) {
   ScanHistory history({}, {}, 3);
-  for (int k = 0; k < 5; ++k) EXPECT_EQ(history.push(posed_scan({{0.0, 10.0 + k, 1}}, 500'000 * k)), 0);
+  for (int k = 0; k < 5; ++k) EXPECT_EQ(history.push(posed_scan({{0.0, 10.0 + k, 1}}, 500'000L * k)), 0);
   EXPECT_EQ(history.size(), 3);
   EXPECT_EQ(history.pushed(), 5);
   EXPECT_EQ(history.newest().utime, 2'000'000);
@@ -27,7 +27,7 @@ TEST(ScanHistory, CountsImpossibleReturns) {
 
 TEST(ScanHistory, RewritesTheFiguresOfAllTables) {
   ScanHistory history({}, {}, 3);
-  for (int k = 0; k < 3; ++k) history.push(posed_scan({}, 500'000 * k));
+  for (int k = 0; k < 3; ++k) history.push(posed_scan({}, 500'000L * k));
   history.set_figures({.miss_probability = 0.6, .false_alarm_probability = 0.2});
   for (int age = 0; age < 3; ++age) EXPECT_FLOAT_EQ(history.at_age(age).base[10], 0.75F);  // 0.6 / 0.8.
 }
@@ -35,7 +35,7 @@ TEST(ScanHistory, RewritesTheFiguresOfAllTables) {
 // The later word on a heading replaces the one before; it outlives new figures.
 TEST(ScanHistory, TurnsAScanToTheHeadingThatIsBelieved) {
   ScanHistory history({.heading_sigma = core::radians(2.0)}, {}, 3);
-  for (int k = 0; k < 2; ++k) history.push(posed_scan({{0.0, 60.0, 1}}, 500'000 * k));
+  for (int k = 0; k < 2; ++k) history.push(posed_scan({{0.0, 60.0, 1}}, 500'000L * k));
   const double stated = history.at_age(1).T_earth_sonar.heading;
   history.set_heading_error(1, {0.5, 0.0});
   history.set_heading_error(1, {0.1, core::radians(0.4)});

@@ -146,6 +146,7 @@ TEST(SensorFigures, ABurstTeachesNoFalseAlarms) {
   SensorFigureEstimator estimator({}, testing::sonar());
   ScanHistory history(estimator.figures(), {}, 20);
   std::vector<core::SonarReturn> all;
+  all.reserve(90);
   for (int beam = 0; beam < 90; ++beam) all.push_back({core::radians(-44.5 + beam), 100.0, 1});
   for (int k = 0; k < 10; ++k) {
     history.push(posed_scan({all[0], all[10], all[20]}, 500'000L * k));

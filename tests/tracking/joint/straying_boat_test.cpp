@@ -50,7 +50,8 @@ core::PosedScan scan_of_boat(int index, bool heard, core::Random& random) {
   return posed;
 }
 
-/// Root of the mean square of the distance of the confirmed track from the boat, in the forty scans from `first` on [m].
+/// Root of the mean square of the distance of the confirmed track from the boat, in the forty scans from
+/// `first` on [m].
 double error_of(std::optional<double> wander, std::uint64_t seed, int first = 10) {
   ScanPipeline pipeline = joint_pipeline(radar(wander), seed);
   core::Random random(seed, core::RandomStream::simulator);
