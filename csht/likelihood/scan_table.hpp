@@ -65,8 +65,8 @@ struct ScanTable {
   /// Laid out likewise: density of its intensity among the returns of targets over that among false ones, >
   /// 0; 1 where it tells nothing;
   std::vector<float> loudness;
-  std::vector<float>
-      worth;  ///< and what the peak's height is of `gain`: both factors' and `usual`'s product.
+  /// and what the peak's height is of `gain`: both factors and `usual` multiplied.
+  std::vector<float> worth;
   /// Of each slot's return: which group of returns that one echo may have made it is in, -1 for none,
   std::vector<std::int16_t> group;
   /// and the probability that it came by itself or is the echo's own; gain and background count by it.

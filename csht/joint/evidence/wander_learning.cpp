@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "core/constant_velocity.hpp"
+
 namespace lookout::csht {
 namespace {
 
@@ -37,7 +39,7 @@ WanderLearning::WanderLearning(const core::SonarParams& sonar) : sonar_(sonar) {
 void WanderLearning::take(const TargetTrack& track, const ScanTable& scan, const BeamMask* mask) {
   if (!sonar_.point_sensor() || track.cloud.motion != Motion::constant_velocity) return;
   Bank& bank = bank_of(track, scan.utime);
-  predict(1e-6 * static_cast<double>(scan.utime - bank.utime), bank);
+  predict(core::seconds(scan.utime - bank.utime), bank);
   bank.utime = scan.utime;
   const auto index = own_return(bank, scan, mask);
   if (!index) return;
@@ -46,10 +48,8 @@ void WanderLearning::take(const TargetTrack& track, const ScanTable& scan, const
 }
 
 WanderLearning::Bank& WanderLearning::bank_of(const TargetTrack& track, std::int64_t utime) {
-  const double longest = 1e6 * kStaleScans * sonar_.scan_period;
-  const auto stale = [&](const Bank& bank) {
-    return static_cast<double>(utime - bank.heard_utime) > longest;
-  };
+  const double longest = kStaleScans * sonar_.scan_period;
+  const auto stale = [&](const Bank& bank) { return core::seconds(utime - bank.heard_utime) > longest; };
   std::erase_if(banks_, stale);
   auto bank = std::find_if(banks_.begin(), banks_.end(), [&](const Bank& b) { return b.track == track.id; });
   if (bank == banks_.end()) bank = banks_.insert(bank, Bank{});
@@ -71,21 +71,15 @@ void WanderLearning::begin(const TargetTrack& track, std::int64_t utime, Bank& b
   bank.filters.fill(start);
 }
 
-// White noise acceleration, [BarShalom2001] Sec. 6.2.2.
 void WanderLearning::predict(double seconds, Bank& bank) const {
-  Eigen::Matrix4d step = Eigen::Matrix4d::Identity();
-  step(0, 2) = step(1, 3) = seconds;
+  const Eigen::Matrix4d step = core::constant_velocity_transition(seconds);
   for (std::size_t k = 0; k < kFilters; ++k) {
     Filter& filter = bank.filters[k];
-    const double q = rates_[k % kRates] * rates_[k % kRates];
-    filter.mean = step * filter.mean;
-    filter.covariance = step * filter.covariance * step.transpose();
-    for (int i = 0; i < 2; ++i) {
-      filter.covariance(i, i) += q * seconds * seconds * seconds / 3.0;
-      filter.covariance(i, i + 2) += 0.5 * q * seconds * seconds;
-      filter.covariance(i + 2, i) += 0.5 * q * seconds * seconds;
-      filter.covariance(i + 2, i + 2) += q * seconds;
-    }
+    const double rate = rates_[k % kRates];
+    filter.mean = (step * filter.mean).eval();
+    filter.covariance =
+        (step * filter.covariance * step.transpose() + core::white_acceleration_noise(seconds, rate * rate))
+            .eval();
   }
 }
 

@@ -54,8 +54,8 @@ TEST(BurstScans, MoreThanTheFiguresTellIsUsualWhereAllScansHaveIt) {
   EXPECT_LT(watch(bursts, 40, random, 0.5).probability, 0.01);
 }
 
-// From 9 returns a scan to 54. While that is new it is a burst;
-// once most scans have it it is usual, and teaches.
+// From 9 returns a scan to 54. While that is new it is a burst; once most scans have it, it is usual and
+// teaches.
 TEST(BurstScans, WhatLastsBecomesUsual) {
   BurstScans bursts;
   core::Random random(3);
